@@ -1,4 +1,4 @@
-"""clers: a reference implementation of Edgebreaker mesh compression, written from its specification."""
+"""clers: a reference implementation of Edgebreaker, written from its specification."""
 
 from typing import Final
 

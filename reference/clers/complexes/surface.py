@@ -55,7 +55,7 @@ def face_of(corner: Corner) -> Face:
 
 
 def next_corner(corner: Corner) -> Corner:
-    """The next corner of the same triangle, in the triangle's orientation. Clause: CPLX-CORNER-1."""
+    """The next corner of the same triangle, in its orientation. Clause: CPLX-CORNER-1."""
     return Corner(corner - 2 if corner % 3 == 2 else corner + 1)
 
 

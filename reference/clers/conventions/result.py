@@ -1,4 +1,4 @@
-"""Total functions answer `Accepted` or `Rejected`: bad input is a value, never an exception or a None."""
+"""Total functions answer `Accepted` or `Rejected`: bad input is a value, not an exception."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from typing import Generic, TypeVar, assert_never
 
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Fault, Reason
-from clers.conventions.where import Where, Whole, in_words
+from clers.conventions.where import WHOLE, Where, in_words
 
 A_co = TypeVar("A_co", covariant=True)
 A = TypeVar("A")
@@ -22,11 +22,11 @@ class Accepted(Generic[A_co]):
 
 @dataclass(frozen=True, slots=True)
 class Rejected:
-    """The input is bad: why, by which clause, at which element. Clauses: CONV-RESULT-1, CONV-RESULT-2."""
+    """The input is bad: why, by which clause, where. Clauses: CONV-RESULT-1, CONV-RESULT-2."""
 
     reason: Reason
     clause: Clause
-    where: Where = Whole()
+    where: Where = WHOLE
     detail: str = ""
 
     @property

@@ -1,7 +1,7 @@
 """The element a rejection or a failed verdict points at. Clause: CONV-RESULT-2."""
 
 from dataclasses import dataclass
-from typing import assert_never
+from typing import Final, assert_never
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +60,8 @@ class AtByte:
     offset: int
     section: str = ""
 
+
+WHOLE: Final = Whole()
 
 Where = Whole | AtFace | AtVertex | AtEdge | AtSymbol | AtRecord | AtStep | AtByte
 
