@@ -1,0 +1,53 @@
+"""The program `clers`: its commands, each in a module of its own. Clause: TOOL-EXIT-1.
+
+Start-up is quick because a command's module imports what it needs inside the command.
+"""
+
+import sys
+from typing import Annotated
+
+import typer
+
+from clers import SPEC_VERSION, __version__
+from clers.cli import laws, spec
+from clers.cli.output import Exit, line, note
+
+app = typer.Typer(
+    name="clers",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+# Here a command joins: one line.
+app.add_typer(laws.app, name="laws")
+app.add_typer(spec.app, name="spec")
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        line(f"clers {__version__}, specification {SPEC_VERSION}")
+        raise typer.Exit
+
+
+@app.callback()
+def _clers(
+    version: Annotated[
+        bool, typer.Option("--version", help="Print versions.", callback=_version, is_eager=True)
+    ] = False,
+) -> None:
+    """The conformance oracle of Edgebreaker mesh compression."""
+
+
+def main() -> None:
+    """Run the program; an interrupt ends it with one line and code 130. Clause: TOOL-EXIT-2."""
+    try:
+        app()
+    except SystemExit as ended:
+        if ended.code == Exit.INTERRUPTED:
+            note("clers: interrupted")
+        raise
+    except KeyboardInterrupt:
+        note("clers: interrupted")
+        sys.exit(Exit.INTERRUPTED)

@@ -1,0 +1,20 @@
+"""The registry: every law of every chapter, each name once. Clause: CONV-LAW-3.
+
+A chapter joins by one line in `CHAPTERS`; `clers spec check` finds a chapter that has not.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+from typing import Final
+
+from clers.conventions.law import AnyLaw
+
+CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType({})
+
+ALL: Final[tuple[AnyLaw, ...]] = tuple(law for laws in CHAPTERS.values() for law in laws)
+
+
+def names_given_twice(laws: Iterable[AnyLaw]) -> tuple[str, ...]:
+    """The names that several laws have, sorted; none in a sound registry."""
+    return tuple(sorted(name for name, n in Counter(law.name for law in laws).items() if n > 1))

@@ -1,0 +1,136 @@
+"""One reading of a repository: everything the checks of the specification look at."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from clers.specification.citation import Citation, Kind, in_page
+from clers.specification.clause_text import ClauseText, Misshapen, chapter_number, clauses
+from clers.specification.identifier import SHAPE
+from clers.specification.lock import LOCK, Lock, read_lock
+from clers.specification.markdown import Page, page
+from clers.specification.python_sites import citations, law_names
+
+CLAUSE_MODULE: Final = "reference/clers/conventions/clause.py"
+RETIRED: Final = "spec/retired.md"
+CONVENTIONS: Final = "spec/00-conventions.md"
+_PREFIX_ROW: Final = re.compile(r"^\|\s*(\d+)\s*\|\s*`([A-Z]+)`\s*\|", re.MULTILINE)
+_RETIRED_ITEM: Final = re.compile(rf"^- \*\*({SHAPE})\.\*\*", re.MULTILINE)
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A Python file: its path from the root, its text, whether it cites as code or as a test."""
+
+    path: str
+    text: str
+    kind: Kind
+
+
+@dataclass(frozen=True, slots=True)
+class Repository:
+    """What was read, nothing judged yet. `prefixes` maps a prefix to its chapter's number."""
+
+    root: Path
+    pages: tuple[Page, ...]
+    sources: tuple[Source, ...]
+    clauses: tuple[ClauseText, ...]
+    misshapen: tuple[Misshapen, ...]
+    citations: tuple[Citation, ...]
+    laws: tuple[tuple[str, str, int], ...]
+    prefixes: Mapping[str, int]
+    retired: frozenset[str]
+    lock: Lock
+    clause_module: str
+
+    @property
+    def ids(self) -> frozenset[str]:
+        """The ids of all clauses."""
+        return frozenset(clause.clause for clause in self.clauses)
+
+    def sites(self, clause: str) -> tuple[Citation, ...]:
+        """Every place that cites a clause, in order of kind, file and line."""
+        return tuple(site for site in self.citations if site.clause == clause)
+
+
+def find_root(start: Path) -> Path | None:
+    """The nearest folder, upward from `start`, with the conventions' chapter in it."""
+    around = (start.resolve(), *start.resolve().parents)
+    return next((folder for folder in around if (folder / CONVENTIONS).is_file()), None)
+
+
+def _text(root: Path, path: str) -> str:
+    file = root / path
+    return file.read_text(encoding="utf-8") if file.is_file() else ""
+
+
+def _paths(root: Path, folder: str, pattern: str) -> tuple[str, ...]:
+    found = (file.relative_to(root).as_posix() for file in (root / folder).rglob(pattern))
+    return tuple(sorted(path for path in found if "/__pycache__/" not in path))
+
+
+def _pages(root: Path) -> tuple[Page, ...]:
+    paths = [*_paths(root, "spec", "*.md"), *_paths(root, "proofs_notes", "*.md")]
+    readme = ["README.md"] if (root / "README.md").is_file() else []
+    return tuple(page(path, _text(root, path)) for path in [*paths, *readme])
+
+
+def _sources(root: Path) -> tuple[Source, ...]:
+    code = (
+        Source(path, _text(root, path), Kind.CODE) for path in _paths(root, "reference", "*.py")
+    )
+    tests = (Source(path, _text(root, path), Kind.TEST) for path in _paths(root, "tests", "*.py"))
+    return tuple(source for source in (*code, *tests) if source.path != CLAUSE_MODULE)
+
+
+def _cited(pages: Iterable[Page], sources: Iterable[Source]) -> tuple[Citation, ...]:
+    kinds = {kind: place for place, kind in enumerate(Kind)}
+    found = [
+        site
+        for page in pages
+        if page.path != RETIRED
+        for site in in_page(page, Kind.NOTE if page.path.startswith("proofs") else Kind.PROSE)
+    ]
+    found += [site for of in sources for site in citations(of.path, of.text, of.kind)]
+    return tuple(sorted(set(found), key=lambda site: (kinds[site.kind], site.path, site.line)))
+
+
+def read_specification(root: Path) -> tuple[ClauseText | Misshapen, ...]:
+    """The clauses of all chapters alone, in the order of the chapters; quick."""
+    return _stated(page(path, _text(root, path)) for path in _paths(root, "spec", "*.md"))
+
+
+def _stated(pages: Iterable[Page]) -> tuple[ClauseText | Misshapen, ...]:
+    return tuple(
+        item
+        for page in pages
+        for chapter in (chapter_number(page.path),)
+        if chapter is not None and page.path.startswith("spec/")
+        for item in clauses(chapter, page)
+    )
+
+
+def read(root: Path) -> Repository:
+    """Read everything the checks look at; what is absent reads as empty."""
+    pages, sources = _pages(root), _sources(root)
+    stated = _stated(pages)
+    return Repository(
+        root=root,
+        pages=pages,
+        sources=sources,
+        clauses=tuple(item for item in stated if isinstance(item, ClauseText)),
+        misshapen=tuple(item for item in stated if isinstance(item, Misshapen)),
+        citations=_cited(pages, sources),
+        laws=tuple(
+            (name, source.path, line)
+            for source in sources
+            if source.path.endswith("laws.py") and source.kind is Kind.CODE
+            for name, line in law_names(source.text)
+        ),
+        prefixes={name: int(n) for n, name in _PREFIX_ROW.findall(_text(root, CONVENTIONS))},
+        retired=frozenset(_RETIRED_ITEM.findall(_text(root, RETIRED))),
+        lock=read_lock(_text(root, LOCK)),
+        clause_module=_text(root, CLAUSE_MODULE),
+    )
