@@ -62,7 +62,8 @@ class Reason(StrEnum):
     # positions (chapter 7)
     COUNT_MISMATCH = "count-mismatch", Fault.INVALID
     NOT_REPRESENTABLE = "not-representable", Fault.INVALID
-    BAD_BOX = "bad-box", Fault.INVALID
+    BAD_LATTICE = "bad-lattice", Fault.INVALID
+    BAD_RESIDUAL = "bad-residual", Fault.INVALID
     # files (chapter 8)
     BAD_MAGIC = "bad-magic", Fault.MALFORMED
     TRUNCATED_FILE = "truncated-file", Fault.MALFORMED
