@@ -1,32 +1,36 @@
 """Walking along boundary curves by swinging around their vertices."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from clers.complexes.surface import BORDER, Corner, Surface, Vertex, next_corner, previous_corner
 
 
-def outgoing_border(surface: Surface, corner: Corner) -> Corner:
-    """The corner, at the same vertex, after whose vertex the border leaves along a face's edge.
+def outgoing_border(opposite: Sequence[Corner], corner: Corner) -> Corner:
+    """The corner c of the same vertex from which the border leaves along a face's edge.
 
-    `corner` is any corner of a vertex on a boundary curve. In the face of the answer c the edge
-    vertex[c] → vertex[next c] lies on the curve: opposite[previous c] is BORDER.
+    `corner` is any corner of a vertex on a boundary curve. The edge from c to next c lies on the
+    curve: opposite[previous c] is BORDER. Clause: CPLX-CURVE-1.
     """
-    opposite = surface.opposite
     c = corner
     while (d := opposite[previous_corner(c)]) != BORDER:
         c = previous_corner(d)
     return c
 
 
-def curve_from(surface: Surface, corner: Corner) -> Iterator[Vertex]:
-    """The vertices of the boundary curve through a corner's vertex, from that vertex on.
+def border_from(opposite: Sequence[Corner], corner: Corner) -> Iterator[Corner]:
+    """The corners from which the boundary curve through a corner's vertex leaves, in its order.
 
-    The curve runs as the faces run its edges: the surface lies on its left. Linear in the faces at
-    the curve. Clause: CPLX-CURVE-1.
+    The curve runs as the faces run its edges: the surface lies on its left. It starts at the vertex
+    of `corner`. Linear in the faces at the curve. Clause: CPLX-CURVE-1.
     """
-    start = c = outgoing_border(surface, corner)
+    start = c = outgoing_border(opposite, corner)
     while True:
-        yield surface.vertex[c]
-        c = outgoing_border(surface, next_corner(c))
+        yield c
+        c = outgoing_border(opposite, next_corner(c))
         if c == start:
             return
+
+
+def curve_from(surface: Surface, corner: Corner) -> Iterator[Vertex]:
+    """The vertices of the boundary curve through a corner's vertex, from it on: CPLX-CURVE-1."""
+    return (surface.vertex[c] for c in border_from(surface.opposite, corner))

@@ -1,0 +1,28 @@
+"""Decompression with every check: what a reader of untrusted streams calls."""
+
+from clers.complexes.face_list import DEFAULT_LIMITS, Limits
+from clers.complexes.surface import Surface
+from clers.conventions.clause import Clause
+from clers.conventions.reason import Reason
+from clers.conventions.result import Accepted, Rejected, and_then
+from clers.conventions.where import WHOLE
+from clers.edgebreaker.label import label
+from clers.edgebreaker.outline import Outline, outline
+from clers.edgebreaker.reversi import reversi
+from clers.edgebreaker.stream import Stream
+
+
+def decode(stream: Stream, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surface] | Rejected:
+    """The surface a stream describes, faces and vertices in the order of creation.
+
+    Accepts exactly the streams that `encode` gives for some surface. Linear.
+    Clauses: EB-DECODE-1, EB-DECODE-2, EB-GRAMMAR-1 … EB-GRAMMAR-9.
+    """
+    if len(stream.word) > limits.faces:
+        detail = f"{len(stream.word)} symbols, the limit is {limits.faces} faces"
+        return Rejected(Reason.TOO_MANY_FACES, Clause.EB_DECODE_2, WHOLE, detail)
+    return and_then(outline(stream), _glue_and_label)
+
+
+def _glue_and_label(outlined: Outline) -> Accepted[Surface] | Rejected:
+    return and_then(reversi(outlined), lambda opposite: label(outlined, opposite))

@@ -1,0 +1,107 @@
+"""From glued triangles to a surface: name the vertices in the order of their creation, then check.
+
+All decoders but the definition end here; they differ in how they find which edges are one.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from clers.complexes.border import border_from
+from clers.complexes.corner_table import surface as surface_of
+from clers.complexes.face_list import FaceList, Limits
+from clers.complexes.surface import BORDER, Corner, Surface, Vertex, next_corner, previous_corner
+from clers.conventions.clause import Clause
+from clers.conventions.reason import Reason
+from clers.conventions.result import Accepted, Rejected
+from clers.conventions.where import AtEdge, AtFace, AtSymbol, AtVertex, Where
+from clers.edgebreaker.outline import Outline
+from clers.edgebreaker.stream import Kind
+
+UNNAMED: Final = Vertex(-1)
+
+
+def label(outlined: Outline, glued: Sequence[int]) -> Accepted[Surface] | Rejected:
+    """The surface of glued triangles, or the symbol whose triangle makes it no simplicial complex.
+
+    `glued[c]` is the corner opposite to c, or BORDER. Vertices are numbered by EB-ORDER-1. Linear.
+    Clauses: EB-ORDER-1, EB-GRAMMAR-9.
+    """
+    opposite = tuple(Corner(c) for c in glued)
+    vertex = [UNNAMED] * len(opposite)
+    count = 0
+    for corner in _creation_order(outlined, opposite):
+        if vertex[corner] == UNNAMED:
+            _name_star(vertex, opposite, corner, Vertex(count))
+            count += 1
+    return _simplicial(outlined, Surface(tuple(vertex), opposite, count))
+
+
+def _creation_order(outlined: Outline, opposite: Sequence[Corner]) -> Iterator[Corner]:
+    """A corner of each vertex, in the order in which the encoder met them. Clause: EB-ORDER-1."""
+    word, records = outlined.stream.word, outlined.stream.records
+    for part in outlined.parts:
+        if part.closed:
+            yield from (Corner(3 * part.face + i) for i in range(3))
+        else:
+            yield from border_from(opposite, Corner(3 * part.first + 1))
+        for i in range(part.start, part.stop):
+            tip = Corner(3 * outlined.face[i])
+            r = outlined.record_of[i]
+            if word[i] == "C":
+                yield tip
+            elif r >= 0 and records[r].kind is Kind.BOUNDARY:
+                yield from border_from(opposite, tip)
+
+
+def _name_star(
+    vertex: list[Vertex], opposite: Sequence[Corner], corner: Corner, name: Vertex
+) -> None:
+    """Give all corners around one vertex its name."""
+    c = corner
+    while vertex[c] == UNNAMED:
+        vertex[c] = name
+        d = opposite[next_corner(c)]
+        if d == BORDER:
+            break
+        c = next_corner(d)
+    d = opposite[previous_corner(corner)]
+    while d != BORDER and vertex[c := previous_corner(d)] == UNNAMED:
+        vertex[c] = name
+        d = opposite[previous_corner(c)]
+
+
+def _simplicial(outlined: Outline, glued: Surface) -> Accepted[Surface] | Rejected:
+    """Triangles that share two vertices share the edge, and no more. Clause: EB-GRAMMAR-9.
+
+    A loop that was glued rightly can still give two edges, or two faces, on the same vertices. Then
+    the surface read off its face list is another one, or none.
+    """
+    no_limit = Limits(glued.faces, glued.vertices)
+    read = surface_of(FaceList(tuple(glued.triangles()), glued.vertices), no_limit)
+    match read:
+        case Accepted(value):
+            if value.opposite == glued.opposite:
+                return Accepted(glued)
+            pairs = zip(value.opposite, glued.opposite, strict=True)
+            corner = next(c for c, (d, e) in enumerate(pairs) if d != e)
+            here = _symbol_of(outlined, corner // 3)
+            return Rejected(Reason.DOUBLE_EDGE, Clause.EB_GRAMMAR_9, here)
+        case Rejected(reason, _, where, detail):
+            repeated = reason is Reason.REPEATED_INDEX
+            why = Reason.REPEATED_VERTEX if repeated else Reason.DOUBLE_EDGE
+            here = _symbol_of(outlined, _face_in(where))
+            return Rejected(why, Clause.EB_GRAMMAR_9, here, f"{reason}: {detail}")
+
+
+def _face_in(where: Where) -> int:
+    match where:
+        case AtFace(face) | AtEdge(_, _, face):
+            return face
+        case AtVertex(_) | _:
+            return 0
+
+
+def _symbol_of(outlined: Outline, face: int) -> AtSymbol:
+    """The symbol that made a face; P is told by the first symbol after it."""
+    part = max((p for p in outlined.parts if p.face <= face), key=lambda p: p.face)
+    return AtSymbol(part.start + max(0, face - part.first))
