@@ -59,6 +59,7 @@ class Reason(StrEnum):
     NOT_IN_ALPHABET = "not-in-alphabet", Fault.INVALID
     TRAILING_BITS = "trailing-bits", Fault.MALFORMED
     TRUNCATED_BITS = "truncated-bits", Fault.MALFORMED
+    NOT_CANONICAL = "not-canonical", Fault.MALFORMED
     # positions (chapter 7)
     COUNT_MISMATCH = "count-mismatch", Fault.INVALID
     NOT_REPRESENTABLE = "not-representable", Fault.INVALID
