@@ -1,0 +1,1 @@
+"""Random and regular meshes: Hypothesis strategies for every law, and plain functions."""

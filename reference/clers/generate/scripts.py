@@ -1,0 +1,104 @@
+"""Random scripts within bounds, as a Hypothesis strategy: first grow, then open, then act.
+
+A script is drawn as short lists of small integers, so that drawing is fast, and so that shrinking
+drops operators and turns the others into the first and simplest of their table.
+"""
+
+from collections.abc import Callable
+from typing import Final
+
+from hypothesis import strategies as st
+
+from clers.generate.bounds import FIRST, Bounds, Grown, go_on, go_on_within
+from clers.operators.script import (
+    AddEar,
+    AddHandle,
+    AddTetrahedron,
+    Bridge,
+    CloseCurve,
+    CutEdge,
+    FillCorner,
+    FlipEdge,
+    JoinComponents,
+    OpenCurve,
+    Operator,
+    Relabel,
+    RemoveFace,
+    RemoveStar,
+    SplitEdge,
+    SplitFace,
+)
+
+Choice = tuple[int, int]
+Raw = tuple[int, int, int]
+
+GROW: Final[tuple[Callable[[int, int], Operator], ...]] = (
+    lambda i, _: SplitFace(i),
+    lambda i, _: FlipEdge(i),
+    lambda i, _: FlipEdge(i),
+    lambda i, _: SplitEdge(i),
+)
+
+ACT: Final[tuple[Callable[[int, int], Operator], ...]] = (
+    *GROW,
+    lambda i, _: AddEar(i),
+    lambda i, _: FillCorner(i),
+    lambda i, _: FillCorner(i),
+    lambda i, _: RemoveFace(i),
+    lambda i, _: RemoveStar(i),
+    lambda i, _: OpenCurve(i),
+    lambda i, _: CloseCurve(i),
+    lambda i, _: CutEdge(i),
+    lambda i, _: CutEdge(i),
+    Bridge,
+    Bridge,
+    AddHandle,
+    JoinComponents,
+)
+
+CHOICES: Final = st.integers(0, 999)
+PAIRS: Final = st.tuples(CHOICES, CHOICES)
+
+
+@st.composite
+def grown(draw: st.DrawFn, bounds: Bounds) -> Grown:
+    """A script within bounds, with its mesh. The topology asked for comes before `bounds.faces`."""
+    components = draw(_count(*bounds.components))
+    handles = draw(_pairs(draw(_count(*bounds.genus))))
+    holes = draw(_pairs(draw(_count(*bounds.curves))))
+    grow = draw(_operators(GROW, bounds.faces))
+    act = draw(_operators(ACT if bounds.curves[1] else GROW, bounds.faces))
+    seed = draw(st.integers(0, 1 << 16))
+
+    wanted: list[Operator] = [AddTetrahedron() for _ in range(components - 1)]
+    topology: list[Operator] = [
+        *(AddHandle(first, second) for first, second in handles),
+        *(OpenCurve(face) for face, _ in holes),
+    ]
+    roomy = Bounds(bounds.faces, (1, components), (0, 0), (0, 0))
+    start = go_on(FIRST, wanted)
+    full = go_on(go_on_within(start, grow, roomy), topology)
+    if len(full.mesh.faces) > bounds.faces:
+        full = go_on(start, topology)
+    acted = go_on_within(full, act, bounds)
+    return go_on(acted, [Relabel(seed)]) if seed else acted
+
+
+def _count(low: int, high: int) -> st.SearchStrategy[int]:
+    """A number in a range; half of the time the lowest."""
+    span = range(low, high + 1)
+    return st.sampled_from([low] * (len(span) - 1) + list(span))
+
+
+def _pairs(count: int) -> st.SearchStrategy[list[Choice]]:
+    return st.lists(PAIRS, min_size=count, max_size=count)
+
+
+def _operators(
+    table: tuple[Callable[[int, int], Operator], ...], faces: int
+) -> st.SearchStrategy[list[Operator]]:
+    """A list of operators of a table, no longer than what may still have an effect."""
+    raw = st.tuples(st.integers(0, len(table) - 1), CHOICES, CHOICES)
+    return st.lists(raw, max_size=min(faces, 40)).map(
+        lambda drawn: [table[kind](first, second) for kind, first, second in drawn]
+    )

@@ -1,0 +1,73 @@
+"""Operators that leave the topology as it is: split a face or an edge, flip an edge, relabel."""
+
+from collections.abc import Callable
+from random import Random
+
+from clers.complexes.face_list import FaceList
+from clers.operators.net import Triangle, apex, edges, inner_edges, joined, sides
+from clers.operators.step import Obstacle, Step, did, idle
+
+
+def split_face(mesh: FaceList, choice: int) -> Step:
+    """Put a vertex into a face. Clause: OPER-GROW-1."""
+    faces = list(mesh.faces)
+    t = choice % len(faces)
+    a, b, c = faces[t]
+    p = mesh.vertices
+    faces[t] = (a, b, p)
+    faces += [(b, c, p), (c, a, p)]
+    return did(faces, mesh.vertices + 1)
+
+
+def split_edge(mesh: FaceList, choice: int) -> Step:
+    """Put a vertex on an edge, on the border or not. Clause: OPER-GROW-2."""
+    of = sides(mesh.faces)
+    candidates = edges(of)
+    tail, head = candidates[choice % len(candidates)]
+    faces = list(mesh.faces)
+    p = mesh.vertices
+    for u, v in ((tail, head), (head, tail)):
+        if (u, v) in of:
+            w = apex(mesh.faces, of, (u, v))
+            faces[of[u, v]] = (u, p, w)
+            faces.append((p, v, w))
+    return did(faces, mesh.vertices + 1)
+
+
+def flip_edge(mesh: FaceList, choice: int) -> Step:
+    """Turn an edge between two faces into the other diagonal. Clause: OPER-GROW-3."""
+    of = sides(mesh.faces)
+    candidates = inner_edges(of)
+    if not candidates:
+        return idle(mesh, Obstacle.NO_CANDIDATE)
+    u, v = candidates[choice % len(candidates)]
+    w = apex(mesh.faces, of, (u, v))
+    x = apex(mesh.faces, of, (v, u))
+    if joined(of, w, x):
+        return idle(mesh, Obstacle.EDGE_EXISTS)
+    faces = list(mesh.faces)
+    faces[of[u, v]] = (w, u, x)
+    faces[of[v, u]] = (x, v, w)
+    return did(faces, mesh.vertices)
+
+
+def relabel(mesh: FaceList, seed: int) -> Step:
+    """Permute vertices and faces, and turn each face, at random; seed 0 does nothing.
+
+    Clause: OPER-GROW-4. Only `Random.random` is used: its sequence is the same in every Python.
+    """
+    if seed == 0:
+        return did(list(mesh.faces), mesh.vertices)
+    draw = Random(seed).random
+    number = shuffled(mesh.vertices, draw)
+    faces: list[Triangle] = []
+    for t in shuffled(len(mesh.faces), draw):
+        a, b, c = (number[v] for v in mesh.faces[t])
+        faces.append(((a, b, c), (b, c, a), (c, a, b))[int(3 * draw())])
+    return did(faces, mesh.vertices)
+
+
+def shuffled(count: int, draw: Callable[[], float]) -> list[int]:
+    """0 … count-1 in the order of as many random numbers."""
+    keys = [draw() for _ in range(count)]
+    return sorted(range(count), key=keys.__getitem__)
