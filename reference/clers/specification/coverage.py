@@ -1,6 +1,5 @@
 """Rules on cover: each clause has code, and a law or test, and was read since it changed."""
 
-import ast
 from collections.abc import Iterator
 
 from clers.specification.citation import Citation, Kind
@@ -58,9 +57,7 @@ def read_again(of: Repository) -> Iterator[Finding]:
 
 def parses(of: Repository) -> Iterator[Finding]:
     """Every source file parses, so that no citation is overlooked. Clause: CONV-CLAUSE-2."""
-    for source in of.sources:
-        try:
-            ast.parse(source.text)
-        except SyntaxError as error:
-            text = f"does not parse: {error.msg}"
-            yield Finding("syntax", source.path, error.lineno or 1, "", text)
+    for module in of.modules:
+        if module.fault is not None:
+            line, text = module.fault
+            yield Finding("syntax", module.path, line, "", f"does not parse: {text}")

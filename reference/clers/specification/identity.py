@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from itertools import groupby
+from typing import Final
 
 from clers.specification.citation import Kind
 from clers.specification.clause_module import clause_module
@@ -10,6 +11,8 @@ from clers.specification.clause_text import ClauseText
 from clers.specification.finding import Finding
 from clers.specification.identifier import number, order, prefix, series
 from clers.specification.repository import CLAUSE_MODULE, RETIRED, Repository
+
+_KEBAB: Final = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
 def stated_once(of: Repository) -> Iterator[Finding]:
@@ -79,10 +82,10 @@ def generated(of: Repository) -> Iterator[Finding]:
 def laws_written_once(of: Repository) -> Iterator[Finding]:
     """No two laws have one name, and each is in kebab-case. Clause: CONV-LAW-3."""
     first: dict[str, str] = {}
-    for name, path, line in of.laws:
-        here = f"{path}:{line}"
-        before = first.setdefault(name, here)
+    for path, law in ((module.path, law) for module in of.modules for law in module.laws):
+        here = f"{path}:{law.first}"
+        before = first.setdefault(law.name, here)
         if before != here:
-            yield Finding("law-twice", path, line, "", f"law {name} is also at {before}")
-        if not re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", name):
-            yield Finding("law-name", path, line, "", f"law {name!r} is not in kebab-case")
+            yield Finding("law-twice", path, law.first, "", f"{law.name} is also at {before}")
+        if not _KEBAB.fullmatch(law.name):
+            yield Finding("law-name", path, law.first, "", f"{law.name!r} is not in kebab-case")

@@ -5,7 +5,6 @@ import io
 import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Final
 
 from clers.specification.citation import Citation, Kind
@@ -23,17 +22,36 @@ class Span:
     name: str
 
 
-def _definitions(body: ast.AST, outer: str = "") -> Iterator[Span]:
-    """Classes and functions with their dotted names; outer before inner."""
-    waiting = [(body, outer)]
-    while waiting:
-        node, around = waiting.pop()
-        name = around
-        if isinstance(node, _DEFINITIONS):
-            name = f"{around}.{node.name}" if around else node.name
-            first = min([node.lineno, *(d.lineno for d in node.decorator_list)])
-            yield Span(first, node.end_lineno or node.lineno, name)
-        waiting += [(child, name) for child in ast.iter_child_nodes(node)]
+@dataclass(frozen=True, slots=True)
+class Module:
+    """What one Python file says: whom it cites, the laws it writes out, why it does not parse."""
+
+    path: str
+    citations: tuple[Citation, ...] = ()
+    laws: tuple[Span, ...] = ()
+    fault: tuple[int, str] | None = None
+
+
+def read_module(path: str, source: str, kind: Kind) -> Module:
+    """Read one file; `kind` is `CODE` or `TEST`. Clauses: CONV-CLAUSE-2, CONV-CLAUSE-8.
+
+    Where code writes laws out, an attribute `Clause.X` is a law's, and strings and comments are
+    prose, for a law's words are no implementation. A string over several lines cites at the line
+    where the id stands. A file that does not parse cites nothing, and says so in `fault`.
+    """
+    try:
+        tree = ast.parse(source)
+    except SyntaxError as error:
+        return Module(path, fault=(error.lineno or 1, error.msg))
+    laws = tuple(_laws(tree)) if kind is Kind.CODE else ()
+    spans = (*laws, *_definitions(tree))
+    said = Kind.PROSE if laws else kind
+    named = Kind.LAW if laws else kind
+    found = [
+        *(Citation(id_, said, path, line, _innermost(spans, line)) for id_, line in _said(source)),
+        *(Citation(id_, named, path, line, _innermost(spans, line)) for id_, line in _named(tree)),
+    ]
+    return Module(path, tuple(sorted(found, key=lambda site: site.line)), laws)
 
 
 def _laws(tree: ast.AST) -> Iterator[Span]:
@@ -48,52 +66,39 @@ def _laws(tree: ast.AST) -> Iterator[Span]:
                 pass
 
 
+def _definitions(tree: ast.AST) -> Iterator[Span]:
+    """Classes and functions with their dotted names."""
+    waiting = [(tree, "")]
+    while waiting:
+        node, name = waiting.pop()
+        if isinstance(node, _DEFINITIONS):
+            name = f"{name}.{node.name}" if name else node.name
+            first = min([node.lineno, *(mark.lineno for mark in node.decorator_list)])
+            yield Span(first, node.end_lineno or node.lineno, name)
+        waiting += [(child, name) for child in ast.iter_child_nodes(node)]
+
+
 def _innermost(spans: tuple[Span, ...], line: int) -> str:
+    """The name of the shortest span around a line; empty outside all."""
     around = [span for span in spans if span.first <= line <= span.last]
     return min(around, key=lambda span: span.last - span.first).name if around else ""
 
 
-def citations(path: str, source: str, kind: Kind) -> tuple[Citation, ...]:
-    """Every citation in one Python file; a file that does not parse has none.
-
-    In files named `laws.py`, an attribute `Clause.X` is a law's; what the strings and comments
-    there say is prose, for a law's words are no implementation. A string that goes over several
-    lines cites at the line where the id stands. Clause: CONV-CLAUSE-2.
-    """
-    try:
-        tree = ast.parse(source)
-        tokens = tuple(tokenize.generate_tokens(io.StringIO(source).readline))
-    except (SyntaxError, tokenize.TokenError):
-        return ()
-    laws_file = kind is Kind.CODE and path.endswith("laws.py")
-    law_spans, spans = tuple(_laws(tree)), tuple(_definitions(tree))
-    found: list[Citation] = []
-    for token in tokens:
+def _said(source: str) -> Iterator[tuple[str, int]]:
+    """Ids in strings and comments, with their lines."""
+    for token in tokenize.generate_tokens(io.StringIO(source).readline):
         if token.type in (tokenize.COMMENT, tokenize.STRING):
             for mention in mentions(token.string):
-                line = token.start[0] + token.string.count("\n", 0, mention.offset)
-                inside = _innermost(law_spans, line) or _innermost(spans, line)
-                said = Kind.PROSE if laws_file else kind
-                found.append(Citation(mention.clause, said, path, line, inside))
-    for clause, line in _attributes(tokens):
-        inside = _innermost(law_spans, line) or _innermost(spans, line)
-        found.append(Citation(clause, Kind.LAW if laws_file else kind, path, line, inside))
-    return tuple(sorted(found, key=lambda site: site.line))
+                yield mention.clause, token.start[0] + token.string.count("\n", 0, mention.offset)
 
 
-def _attributes(tokens: tuple[tokenize.TokenInfo, ...]) -> Iterator[tuple[str, int]]:
-    """`Clause.EB_WORD_1` as id and line."""
-    dotted = tuple(token for token in tokens if token.type in (tokenize.NAME, tokenize.OP))
-    for (before, dot), (_, name) in pairwise(pairwise(dotted)):
-        if before.string == "Clause" and dot.string == ".":
-            clause = of_member(name.string)
-            if clause is not None:
-                yield clause, name.start[0]
-
-
-def law_names(source: str) -> tuple[tuple[str, int], ...]:
-    """The laws a file writes out, each with its line."""
-    try:
-        return tuple((span.name, span.first) for span in _laws(ast.parse(source)))
-    except SyntaxError:
-        return ()
+def _named(tree: ast.AST) -> Iterator[tuple[str, int]]:
+    """Attributes `Clause.X` that have the form of an id, with their lines."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Attribute(value=ast.Name("Clause"), attr=name, end_lineno=int(line)):
+                clause = of_member(name)
+                if clause is not None:
+                    yield clause, line
+            case _:
+                pass

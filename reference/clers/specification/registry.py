@@ -31,6 +31,8 @@ def registered(of: Repository) -> Iterator[Finding]:
     known = {law.name for law in ALL}
     for name in names_given_twice(ALL):
         yield Finding("law-twice", REGISTRY, 1, "", f"two laws are registered as {name}")
-    for name, path, line in of.laws:
-        if name not in known:
-            yield Finding("registry", path, line, "", f"law {name} is not in {REGISTRY}")
+    for module in of.modules:
+        for law in module.laws:
+            if law.name not in known:
+                text = f"law {law.name} is not in {REGISTRY}"
+                yield Finding("registry", module.path, law.first, "", text)

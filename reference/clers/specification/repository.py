@@ -11,7 +11,7 @@ from clers.specification.clause_text import ClauseText, Misshapen, chapter_numbe
 from clers.specification.identifier import SHAPE
 from clers.specification.lock import LOCK, Lock, read_lock
 from clers.specification.markdown import Page, page
-from clers.specification.python_sites import citations, law_names
+from clers.specification.python_sites import Module, read_module
 
 CLAUSE_MODULE: Final = "reference/clers/conventions/clause.py"
 RETIRED: Final = "spec/retired.md"
@@ -21,25 +21,15 @@ _RETIRED_ITEM: Final = re.compile(rf"^- \*\*({SHAPE})\.\*\*", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
-    """A Python file: its path from the root, its text, whether it cites as code or as a test."""
-
-    path: str
-    text: str
-    kind: Kind
-
-
-@dataclass(frozen=True, slots=True)
 class Repository:
     """What was read, nothing judged yet. `prefixes` maps a prefix to its chapter's number."""
 
     root: Path
     pages: tuple[Page, ...]
-    sources: tuple[Source, ...]
+    modules: tuple[Module, ...]
     clauses: tuple[ClauseText, ...]
     misshapen: tuple[Misshapen, ...]
     citations: tuple[Citation, ...]
-    laws: tuple[tuple[str, str, int], ...]
     prefixes: Mapping[str, int]
     retired: frozenset[str]
     lock: Lock
@@ -77,15 +67,17 @@ def _pages(root: Path) -> tuple[Page, ...]:
     return tuple(page(path, _text(root, path)) for path in [*paths, *readme])
 
 
-def _sources(root: Path) -> tuple[Source, ...]:
-    code = (
-        Source(path, _text(root, path), Kind.CODE) for path in _paths(root, "reference", "*.py")
+def _modules(root: Path) -> tuple[Module, ...]:
+    places = ((Kind.CODE, "reference"), (Kind.TEST, "tests"))
+    return tuple(
+        read_module(path, _text(root, path), kind)
+        for kind, folder in places
+        for path in _paths(root, folder, "*.py")
+        if path != CLAUSE_MODULE
     )
-    tests = (Source(path, _text(root, path), Kind.TEST) for path in _paths(root, "tests", "*.py"))
-    return tuple(source for source in (*code, *tests) if source.path != CLAUSE_MODULE)
 
 
-def _cited(pages: Iterable[Page], sources: Iterable[Source]) -> tuple[Citation, ...]:
+def _cited(pages: Iterable[Page], modules: Iterable[Module]) -> tuple[Citation, ...]:
     kinds = {kind: place for place, kind in enumerate(Kind)}
     found = [
         site
@@ -93,7 +85,7 @@ def _cited(pages: Iterable[Page], sources: Iterable[Source]) -> tuple[Citation, 
         if page.path != RETIRED
         for site in in_page(page, Kind.NOTE if page.path.startswith("proofs") else Kind.PROSE)
     ]
-    found += [site for of in sources for site in citations(of.path, of.text, of.kind)]
+    found += [site for module in modules for site in module.citations]
     return tuple(sorted(set(found), key=lambda site: (kinds[site.kind], site.path, site.line)))
 
 
@@ -114,21 +106,15 @@ def _stated(pages: Iterable[Page]) -> tuple[ClauseText | Misshapen, ...]:
 
 def read(root: Path) -> Repository:
     """Read everything the checks look at; what is absent reads as empty."""
-    pages, sources = _pages(root), _sources(root)
+    pages, modules = _pages(root), _modules(root)
     stated = _stated(pages)
     return Repository(
         root=root,
         pages=pages,
-        sources=sources,
+        modules=modules,
         clauses=tuple(item for item in stated if isinstance(item, ClauseText)),
         misshapen=tuple(item for item in stated if isinstance(item, Misshapen)),
-        citations=_cited(pages, sources),
-        laws=tuple(
-            (name, source.path, line)
-            for source in sources
-            if source.path.endswith("laws.py") and source.kind is Kind.CODE
-            for name, line in law_names(source.text)
-        ),
+        citations=_cited(pages, modules),
         prefixes={name: int(n) for n, name in _PREFIX_ROW.findall(_text(root, CONVENTIONS))},
         retired=frozenset(_RETIRED_ITEM.findall(_text(root, RETIRED))),
         lock=read_lock(_text(root, LOCK)),
