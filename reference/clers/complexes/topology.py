@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from clers.complexes.border import outgoing_border
+from clers.complexes.border import border_from
 from clers.complexes.surface import (
     BORDER,
     Corner,
@@ -66,15 +66,10 @@ def curve_at(surface: Surface, corner: Corner) -> Curve:
 
     `opposite[corner]` is BORDER. Linear in the faces at the curve. Clause: CPLX-CURVE-2.
     """
-    corners = [corner]
-    while (c := following_border(surface, corners[-1])) != corner:
-        corners.append(c)
-    return Curve(tuple(surface.vertex[next_corner(c)] for c in corners), tuple(corners))
-
-
-def following_border(surface: Surface, corner: Corner) -> Corner:
-    """The corner opposite to the next edge of a boundary curve. Clause: CPLX-CURVE-1."""
-    return previous_corner(outgoing_border(surface, previous_corner(corner)))
+    leaving = tuple(border_from(surface.opposite, next_corner(corner)))
+    return Curve(
+        tuple(surface.vertex[c] for c in leaving), tuple(previous_corner(c) for c in leaving)
+    )
 
 
 def component_of_faces(surface: Surface) -> tuple[int, ...]:
