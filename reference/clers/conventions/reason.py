@@ -39,6 +39,8 @@ class Reason(StrEnum):
     TOO_MANY_VERTICES = "too-many-vertices", Fault.LIMIT
     # operators (chapter 4)
     OPERATOR_NOT_APPLICABLE = "operator-not-applicable", Fault.INVALID
+    UNKNOWN_OPERATOR = "unknown-operator", Fault.MALFORMED
+    BAD_OPERAND = "bad-operand", Fault.MALFORMED
     # words and handle data (chapter 5)
     UNKNOWN_SYMBOL = "unknown-symbol", Fault.INVALID
     EMPTY_WORD = "empty-word", Fault.INVALID

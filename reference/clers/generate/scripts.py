@@ -25,6 +25,7 @@ from clers.operators.script import (
     Relabel,
     RemoveFace,
     RemoveStar,
+    Script,
     SplitEdge,
     SplitFace,
 )
@@ -56,8 +57,23 @@ ACT: Final[tuple[Callable[[int, int], Operator], ...]] = (
     JoinComponents,
 )
 
+EVERY: Final[tuple[Callable[[int, int], Operator], ...]] = (
+    *ACT,
+    lambda i, _: Relabel(i),
+    lambda _, __: AddTetrahedron(),
+)
+
 CHOICES: Final = st.integers(0, 999)
 PAIRS: Final = st.tuples(CHOICES, CHOICES)
+
+
+def any_scripts(max_size: int = 25) -> st.SearchStrategy[Script]:
+    """Scripts with any operators and any integers, most of them with something to do."""
+    anything = st.one_of(CHOICES, st.integers())
+    raw = st.tuples(st.integers(0, len(EVERY) - 1), anything, anything)
+    return st.lists(raw, max_size=max_size).map(
+        lambda drawn: tuple(EVERY[kind](first, second) for kind, first, second in drawn)
+    )
 
 
 @st.composite

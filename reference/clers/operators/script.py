@@ -35,28 +35,28 @@ from clers.operators.tube import (
 
 @dataclass(frozen=True, slots=True)
 class SplitFace:
-    """A vertex into a face. Clause: OPER-GROW-1."""
+    """A vertex into a face. Clause: OPER-REFINE-1."""
 
     face: int
 
 
 @dataclass(frozen=True, slots=True)
 class SplitEdge:
-    """A vertex on an edge. Clause: OPER-GROW-2."""
+    """A vertex on an edge. Clause: OPER-REFINE-2."""
 
     edge: int
 
 
 @dataclass(frozen=True, slots=True)
 class FlipEdge:
-    """An edge into the other diagonal of its two faces. Clause: OPER-GROW-3."""
+    """An edge into the other diagonal of its two faces. Clause: OPER-REFINE-3."""
 
     edge: int
 
 
 @dataclass(frozen=True, slots=True)
 class Relabel:
-    """Vertices, faces and turns of faces permuted. Clause: OPER-GROW-4."""
+    """Vertices, faces and turns of faces permuted. Clause: OPER-REFINE-4."""
 
     seed: int
 

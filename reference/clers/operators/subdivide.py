@@ -9,7 +9,7 @@ from clers.operators.step import Obstacle, Step, did, idle
 
 
 def split_face(mesh: FaceList, choice: int) -> Step:
-    """Put a vertex into a face. Clause: OPER-GROW-1."""
+    """Put a vertex into a face. Clause: OPER-REFINE-1."""
     faces = list(mesh.faces)
     t = choice % len(faces)
     a, b, c = faces[t]
@@ -20,7 +20,7 @@ def split_face(mesh: FaceList, choice: int) -> Step:
 
 
 def split_edge(mesh: FaceList, choice: int) -> Step:
-    """Put a vertex on an edge, on the border or not. Clause: OPER-GROW-2."""
+    """Put a vertex on an edge, on the border or not. Clause: OPER-REFINE-2."""
     of = sides(mesh.faces)
     candidates = edges(of)
     tail, head = candidates[choice % len(candidates)]
@@ -35,7 +35,7 @@ def split_edge(mesh: FaceList, choice: int) -> Step:
 
 
 def flip_edge(mesh: FaceList, choice: int) -> Step:
-    """Turn an edge between two faces into the other diagonal. Clause: OPER-GROW-3."""
+    """Turn an edge between two faces into the other diagonal. Clause: OPER-REFINE-3."""
     of = sides(mesh.faces)
     candidates = inner_edges(of)
     if not candidates:
@@ -54,7 +54,7 @@ def flip_edge(mesh: FaceList, choice: int) -> Step:
 def relabel(mesh: FaceList, seed: int) -> Step:
     """Permute vertices and faces, and turn each face, at random; seed 0 does nothing.
 
-    Clause: OPER-GROW-4. Only `Random.random` is used: its sequence is the same in every Python.
+    Clause: OPER-REFINE-4. Only `Random.random` is used: its sequence is the same in every Python.
     """
     if seed == 0:
         return did(list(mesh.faces), mesh.vertices)
