@@ -73,7 +73,7 @@ def place_of(coordinates: Sequence[float]) -> bytes:
     return array("d", [x + 0.0 for x in coordinates]).tobytes()
 
 
-def _solids(data: bytes) -> array[float] | Rejected:
+def _solids(data: bytes) -> Sequence[float] | Rejected:
     """The corners of all facets of an ASCII file, flat."""
     lines = enumerate(data.splitlines(), start=1)
     rows = [(line, words) for line, text in lines if (words := text.lower().split())]
