@@ -5,10 +5,15 @@ from typing import Final
 
 from hypothesis import strategies as st
 
-from clers.generate import surfaces
+from clers.generate import face_lists, relabelled, scripts, solids, streams, surfaces
 
 DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
+    **scripts.DOMAINS,
+    **streams.DOMAINS,
     **surfaces.DOMAINS,
+    **face_lists.DOMAINS,
+    **relabelled.DOMAINS,
+    **solids.DOMAINS,
 }
 
 

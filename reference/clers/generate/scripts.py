@@ -4,7 +4,7 @@ A script is drawn as short lists of small integers, so that drawing is fast, and
 drops operators and turns the others into the first and simplest of their table.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Final
 
 from hypothesis import strategies as st
@@ -118,3 +118,9 @@ def _operators(
     return st.lists(raw, max_size=min(faces, 40)).map(
         lambda drawn: [table[kind](first, second) for kind, first, second in drawn]
     )
+
+
+DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
+    "scripts": any_scripts(),
+}
+"""The domains of this module, by name."""
