@@ -78,6 +78,9 @@ def run(
     if unknown:
         raise typer.BadParameter(f"no such law: {', '.join(unknown)}")
     chosen = [one for one in known if not law or one.name in law]
+    if not chosen:
+        note("clers: there are no laws to run")
+        stop(Exit.SELF_CHECK)
     outcomes: list[tuple[AnyLaw, Outcome]] = []
     with progress("laws", len(chosen)) as step:
         for one in chosen:

@@ -36,7 +36,8 @@ class Rejected:
 
     def line(self) -> str:
         """Say it in one line: class, reason, element, clause. Clause: CONV-RESULT-4."""
-        tail = f": {self.detail}" if self.detail else ""
+        words = " ".join(self.detail.split())
+        tail = f": {words}" if words else ""
         return f"{self.fault}: {self.reason} {in_words(self.where)} [{self.clause}]{tail}"
 
 

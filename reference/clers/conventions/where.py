@@ -1,4 +1,4 @@
-"""The element a rejection or a failed verdict points at. Clause: CONV-RESULT-2."""
+"""The element a rejection or a failed verdict points at. Clauses: CONV-RESULT-2, CONV-CLAUSE-5."""
 
 from dataclasses import dataclass
 from typing import Final, assert_never

@@ -35,14 +35,8 @@ class Citation:
 
 
 def in_page(page: Page, kind: Kind) -> tuple[Citation, ...]:
-    """Every id in a page of prose, except where a line opens the clause itself."""
+    """Every id in a page of prose; where a clause is stated, its own id too."""
     return tuple(
         Citation(mention.clause, kind, page.path, page.text.count("\n", 0, mention.offset) + 1)
         for mention in mentions(page.text)
-        if not _opens(page.text, mention.offset)
     )
-
-
-def _opens(text: str, offset: int) -> bool:
-    start = text.rfind("\n", 0, offset) + 1
-    return text[start:offset].strip() in ("> **", "- **")

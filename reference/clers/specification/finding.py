@@ -1,4 +1,4 @@
-"""What a check of the specification finds wrong, in one line each."""
+"""What a check finds wrong: the places that disagree, none preferred. Clause: CONV-CLAUSE-3."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

@@ -43,10 +43,10 @@ def read_module(path: str, source: str, kind: Kind) -> Module:
         tree = ast.parse(source)
     except SyntaxError as error:
         return Module(path, fault=(error.lineno or 1, error.msg))
-    laws = tuple(_laws(tree)) if kind is Kind.CODE else ()
+    calls = tuple(_law_calls(tree)) if kind is Kind.CODE else ()
+    said, named = (Kind.PROSE, Kind.LAW) if calls else (kind, kind)
+    laws = tuple(call for call in calls if call.name)
     spans = (*laws, *_definitions(tree))
-    said = Kind.PROSE if laws else kind
-    named = Kind.LAW if laws else kind
     found = [
         *(Citation(id_, said, path, line, _innermost(spans, line)) for id_, line in _said(source)),
         *(Citation(id_, named, path, line, _innermost(spans, line)) for id_, line in _named(tree)),
@@ -54,14 +54,13 @@ def read_module(path: str, source: str, kind: Kind) -> Module:
     return Module(path, tuple(sorted(found, key=lambda site: site.line)), laws)
 
 
-def _laws(tree: ast.AST) -> Iterator[Span]:
-    """The calls `Law("name", …)`, by the name of the law."""
+def _law_calls(tree: ast.AST) -> Iterator[Span]:
+    """The calls `Law(name, …)`; the name is empty where it is computed."""
     for node in ast.walk(tree):
         match node:
-            case ast.Call(
-                func=ast.Name("Law"), args=[ast.Constant(str(name)), *_], end_lineno=int(last)
-            ):
-                yield Span(node.lineno, last, name)
+            case ast.Call(func=ast.Name("Law"), args=[name, *_], end_lineno=int(last)):
+                known = name.value if isinstance(name, ast.Constant) else ""
+                yield Span(node.lineno, last, known if isinstance(known, str) else "")
             case _:
                 pass
 

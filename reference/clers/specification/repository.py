@@ -77,16 +77,21 @@ def _modules(root: Path) -> tuple[Module, ...]:
     )
 
 
-def _cited(pages: Iterable[Page], modules: Iterable[Module]) -> tuple[Citation, ...]:
+def _cited(
+    pages: Iterable[Page], modules: Iterable[Module], stated: Iterable[ClauseText]
+) -> tuple[Citation, ...]:
+    """All citations; a clause does not cite itself where it is stated, nor the retired list."""
+    own = {(clause.path, clause.line, clause.clause) for clause in stated}
     kinds = {kind: place for place, kind in enumerate(Kind)}
-    found = [
-        site
-        for page in pages
-        if page.path != RETIRED
-        for site in in_page(page, Kind.NOTE if page.path.startswith("proofs") else Kind.PROSE)
-    ]
-    found += [site for module in modules for site in module.citations]
-    return tuple(sorted(set(found), key=lambda site: (kinds[site.kind], site.path, site.line)))
+    found = [site for module in modules for site in module.citations]
+    for prose in pages:
+        if prose.path != RETIRED:
+            kind = Kind.NOTE if prose.path.startswith("proofs_notes/") else Kind.PROSE
+            found += in_page(prose, kind)
+    kept = {site for site in found if (site.path, site.line, site.clause) not in own}
+    return tuple(
+        sorted(kept, key=lambda site: (kinds[site.kind], site.path, site.line, site.clause))
+    )
 
 
 def read_specification(root: Path) -> tuple[ClauseText | Misshapen, ...]:
@@ -108,13 +113,14 @@ def read(root: Path) -> Repository:
     """Read everything the checks look at; what is absent reads as empty."""
     pages, modules = _pages(root), _modules(root)
     stated = _stated(pages)
+    good = tuple(item for item in stated if isinstance(item, ClauseText))
     return Repository(
         root=root,
         pages=pages,
         modules=modules,
-        clauses=tuple(item for item in stated if isinstance(item, ClauseText)),
+        clauses=good,
         misshapen=tuple(item for item in stated if isinstance(item, Misshapen)),
-        citations=_cited(pages, modules),
+        citations=_cited(pages, modules, good),
         prefixes={name: int(n) for n, name in _PREFIX_ROW.findall(_text(root, CONVENTIONS))},
         retired=frozenset(_RETIRED_ITEM.findall(_text(root, RETIRED))),
         lock=read_lock(_text(root, LOCK)),

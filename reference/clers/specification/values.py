@@ -14,6 +14,7 @@ _PHI: Final = (1 + sqrt(5)) / 2
 
 VALUES: Final[Values] = MappingProxyType(
     {
+        "golden.unit": lambda: log2(_PHI),
         "golden.bits-per-triangle": lambda: 2.5 * log2(_PHI),
         "golden.bits-per-vertex": lambda: 5 * log2(_PHI),
         "rossignac.bits-per-triangle": lambda: 2,
