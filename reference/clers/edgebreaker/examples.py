@@ -32,7 +32,7 @@ TORUS: Final = _known(
 """Figure 22: a 3 × 3 grid of squares, opposite sides one; word CCCCRCSCRSSRLSEEE."""
 
 ANNULUS: Final = _known((2, 5, 4), (1, 2, 0), (3, 0, 2), (2, 4, 3), (0, 5, 1), (0, 4, 5))
-"""Two curves of three edges. From its first triangle the word is SLRRLE, the handle on the right."""
+"""Two curves of three edges; word SLRRLE."""
 
 TRIANGLE: Final = _known((0, 1, 2))
 """The smallest surface there is; word E."""

@@ -1,4 +1,4 @@
-"""Wrap with Fast Zip: Algorithms 7 to 9; one pass over the C triangles backwards closes the stars."""
+"""Wrap with Fast Zip, Algorithms 7 to 9: the stars are closed in one pass over the Cs backwards."""
 
 from clers.complexes.surface import BORDER
 from clers.edgebreaker.outline import Outline

@@ -1,0 +1,26 @@
+"""The symbol that needs no bits: a word whose first component is closed begins with C."""
+
+from typing import Final
+
+from clers.conventions.clause import Clause
+from clers.conventions.reason import Reason
+from clers.conventions.result import Accepted, Rejected
+from clers.conventions.where import AtSymbol
+from clers.edgebreaker.stream import SYMBOLS, Stream
+
+NUMBER: Final = {symbol: number for number, symbol in enumerate(SYMBOLS)}
+"""The numbers of the symbols in models. Clause: EB-WORD-1."""
+
+
+def implied(components_with_boundary: int) -> str:
+    """The part of the word that is not coded: C if all components are closed. CODE-IMPLIED-1."""
+    return "" if components_with_boundary else "C"
+
+
+def coded_part(stream: Stream) -> Accepted[str] | Rejected:
+    """The symbols of a word that a code writes. Clause: CODE-IMPLIED-1, CODE-IMPLIED-2."""
+    head = implied(stream.components_with_boundary)
+    if not stream.word.startswith(head):
+        detail = "a closed component begins with C"
+        return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_IMPLIED_2, AtSymbol(0), detail)
+    return Accepted(stream.word[len(head) :])
