@@ -84,3 +84,4 @@ class Reason(StrEnum):
     UNKNOWN_FORMAT = "unknown-format", Fault.UNSUPPORTED
     NOT_TRIANGLES = "not-triangles", Fault.UNSUPPORTED
     UNWRITABLE_FILE = "unwritable-file", Fault.INVALID
+    NOT_OBTAINABLE = "not-obtainable", Fault.UNSUPPORTED

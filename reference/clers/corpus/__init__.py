@@ -1,0 +1,1 @@
+"""The corpus: real meshes with their sources and licences, verified, or fetched when wanted."""
