@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import product
 
 from clers.complexes.face_list import DEFAULT_LIMITS, FaceList, Limits
+from clers.complexes.homology import Field, coherent_chains
 from clers.complexes.simplicial import (
     Complex,
     Simplex,
@@ -120,6 +121,15 @@ def _stars(given: FaceList) -> Rejected | None:
         if frozenset([v]) not in k.simplices:
             return Rejected(Reason.ISOLATED_VERTEX, Clause.CPLX_REJECT_9, AtVertex(v))
     return None
+
+
+def is_orientable(given: FaceList) -> bool:
+    """Can faces be turned over so that neighbours agree? Clauses: CPLX-ORIENT-1, CPLX-ORIENT-2.
+
+    For face lists to which none of CPLX-REJECT-1 … CPLX-REJECT-6 applies.
+    """
+    k = closure(given.faces)
+    return coherent_chains(k, Field.Q) == coherent_chains(k, Field.GF2)
 
 
 def curves_by_definition(given: FaceList) -> tuple[tuple[int, ...], ...]:

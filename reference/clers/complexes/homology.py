@@ -88,14 +88,13 @@ def betti(k: Complex, field: Field) -> tuple[int, ...]:
     return tuple(len(simplices[m]) - ranks[m] - ranks[m + 1] for m in range(n + 1))
 
 
-def coherent_orientations(k: Complex) -> int:
-    """How many independent orientations a complex with at most two n-simplices at each wall has.
+def coherent_chains(k: Complex, field: Field) -> int:
+    """The dimension of the chains of n-simplices that cancel wherever two of these meet.
 
-    The dimension over the rationals of the chains of n-simplices that cancel at every
-    (n−1)-simplex in two of them: the number of its strongly connected components that are
-    orientable. Clause: CPLX-ORIENT-2.
+    Over the rationals the number of orientable sets of neighbours, over GF(2) of all of them,
+    where no (n−1)-simplex lies in more than two n-simplices. Clause: CPLX-ORIENT-2.
     """
     n = dimension(k)
     largest = of_dimension(k, n)
     walls = [s for s in of_dimension(k, n - 1) if sum(s < big for big in largest) == 2]
-    return len(largest) - rank(boundary_rows(walls, largest), Field.Q)
+    return len(largest) - rank(boundary_rows(walls, largest), field)
