@@ -61,6 +61,8 @@ def nearest(x: float, exponent: int) -> int:
 
 def fits(x: float, exponent: int) -> bool:
     """Whether the nearest lattice number is less than 2^53 in magnitude. Clause: GEOM-LATTICE-3."""
+    if x == 0.0:
+        return True
     _, size = frexp(x)  # |x| < 2^size
     return size - exponent <= 53 and abs(nearest(x, exponent)) <= LARGEST_NUMBER
 
