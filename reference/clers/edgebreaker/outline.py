@@ -7,7 +7,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import WHOLE, AtRecord, AtSymbol
-from clers.edgebreaker.stream import SYMBOLS, Side, Stream
+from clers.edgebreaker.stream import SYMBOLS, Kind, Side, Stream
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +114,7 @@ def _glue(
     """The closing edge of each record, each edge once, after its S. Clause: EB-GRAMMAR-4."""
     closers = [i for i, x in enumerate(stream.word) if x in "RLE"]
     splits = [i for i, x in enumerate(stream.word) if x == "S"]
+    open_part = max((part.stop for part in parts if not part.closed), default=0)
     glue: list[int] = []
     taken: set[int] = set()
     for r, record in enumerate(stream.records):
@@ -127,6 +128,9 @@ def _glue(
         if i < splits[record.s]:
             detail = f"symbol {i} comes before its S, symbol {splits[record.s]}"
             return Rejected(Reason.RECORD_OUTSIDE_BRANCH, Clause.EB_GRAMMAR_4, AtRecord(r), detail)
+        if record.kind is Kind.BOUNDARY and splits[record.s] >= open_part:
+            detail = "its component is closed"
+            return Rejected(Reason.NOT_A_CURVE, Clause.EB_GRAMMAR_4, AtRecord(r), detail)
         edge = 3 * face[i] + (1 if record.side is Side.RIGHT else 2)
         if edge in taken:
             return Rejected(Reason.EDGE_CLOSED_TWICE, Clause.EB_GRAMMAR_4, AtRecord(r))
