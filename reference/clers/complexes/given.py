@@ -19,11 +19,16 @@ REPAIRABLE: Final = Given(
     "surfaces with faces turned over, vertices pinched together, isolated vertices put between",
     FaceList,
 )
+CROSSCAPPED: Final = Given(
+    "crosscapped-face-lists",
+    "such face lists, most of them with cross-caps, which make them one-sided",
+    FaceList,
+)
 RELABELLED: Final[Given[Pair]] = Given(
     "relabelled-surfaces", "a surface, and the same under other names", tuple
 )
 PAIRS: Final[Given[Pair]] = Given(
-    "surface-pairs", "a small surface, and the same, its mirror image, or one a flip away", tuple
+    "surface-pairs", "a surface, and the same, its mirror image, one a flip away, or any", tuple
 )
 TINY_PAIRS: Final[Given[Pair]] = Given(
     "tiny-surface-pairs", "such pairs with at most six vertices each", tuple

@@ -7,7 +7,7 @@ from typing import Final
 from clers.complexes.corner_table import face_list, surface
 from clers.complexes.definition import first_fault, is_orientable
 from clers.complexes.face_list import FaceList
-from clers.complexes.given import FACE_LISTS, REPAIRABLE, SURFACES
+from clers.complexes.given import CROSSCAPPED, FACE_LISTS, REPAIRABLE, SURFACES
 from clers.complexes.repair import (
     GONE,
     Copied,
@@ -234,6 +234,13 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
         Clause.CPLX_ORIENT_2,
         "Orienting is refused exactly for the faults of CPLX-REJECT-1 to -6 and where homology "
         "shows fewer orientations than sets of neighbours.",
+        CROSSCAPPED,
+        _oriented,
+    ),
+    Law(
+        "orienting-any-face-list",
+        Clause.CPLX_ORIENT_1,
+        "So it is on any face list, whatever else is wrong with it.",
         FACE_LISTS,
         _oriented,
     ),
@@ -241,7 +248,7 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
         "face-that-completes-a-one-sided-strip-is-blamed",
         Clause.CPLX_REPAIR_3,
         "The faces before the blamed one are orientable, and with it they are not.",
-        FACE_LISTS,
+        CROSSCAPPED,
         _blamed,
     ),
     Law(

@@ -33,6 +33,20 @@ def surface_pairs(of: st.SearchStrategy[Surface]) -> st.SearchStrategy[Pair]:
     )
 
 
+def unions(of: st.SearchStrategy[Surface]) -> st.SearchStrategy[Surface]:
+    """Two or three surfaces side by side, as the components of one."""
+    return st.lists(of, min_size=2, max_size=3).map(_beside)
+
+
+def _beside(parts: list[Surface]) -> Surface:
+    faces: list[tuple[int, int, int]] = []
+    n = 0
+    for part in parts:
+        faces += [(a + n, b + n, c + n) for a, b, c in part.triangles()]
+        n += part.vertices
+    return _accepted(FaceList(tuple(faces), n))
+
+
 def _flipped(of: Surface, edges: list[int], seed: int) -> Pair:
     mesh = face_list_of(of)
     for edge in edges:
@@ -44,7 +58,7 @@ def _accepted(mesh: FaceList) -> Surface:
     built = surface(mesh)
     if isinstance(built, Accepted):
         return built.value
-    raise AssertionError(f"a flip made no surface: {built.line()}")
+    raise AssertionError(f"no surface was made: {built.line()}")
 
 
 @st.composite
@@ -73,14 +87,38 @@ def _identified(mesh: FaceList, keep: int, gone: int) -> FaceList:
     return FaceList(faces, mesh.vertices)
 
 
+PROJECTIVE_PLANE: Final = (
+    *((0, 2, 3), (0, 3, 4), (0, 4, 5), (0, 5, 1), (1, 2, 4)),
+    *((2, 3, 5), (3, 4, 1), (4, 5, 2), (5, 1, 3)),
+)
+"""The projective plane on six vertices, without its tenth face 0, 1, 2."""
+
+
+@st.composite
+def crosscapped(draw: st.DrawFn) -> FaceList:
+    """A repairable face list in which some faces were replaced by cross-caps."""
+    mesh = draw(repairable())
+    for choice in draw(st.lists(CHOICES, max_size=2)):
+        mesh = _with_crosscap(mesh, choice % len(mesh.faces))
+    return relabel(mesh, draw(SEEDS)).mesh
+
+
+def _with_crosscap(mesh: FaceList, t: int) -> FaceList:
+    n = mesh.vertices
+    name = (*mesh.faces[t], n, n + 1, n + 2)
+    cap = tuple((name[a], name[b], name[c]) for a, b, c in PROJECTIVE_PLANE)
+    return FaceList((*mesh.faces[:t], *mesh.faces[t + 1 :], *cap), n + 3)
+
+
 def tiny_surfaces() -> st.SearchStrategy[Surface]:
     """Surfaces of six vertices at most: few enough to try all permutations."""
     return small_surfaces(8).filter(lambda drawn: drawn.vertices <= 6)
 
 
 DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
-    "surface-pairs": surface_pairs(small_surfaces()),
+    "surface-pairs": surface_pairs(st.one_of(small_surfaces(), unions(tiny_surfaces()))),
     "tiny-surface-pairs": surface_pairs(tiny_surfaces()),
     "repairable-face-lists": repairable(),
+    "crosscapped-face-lists": crosscapped(),
 }
 """The domains of this module, by name."""

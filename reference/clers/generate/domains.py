@@ -5,7 +5,7 @@ from typing import Final
 
 from hypothesis import strategies as st
 
-from clers.generate import face_lists, relabelled, scripts, solids, streams, surfaces
+from clers.generate import complexes, face_lists, relabelled, scripts, solids, streams, surfaces
 
 DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **scripts.DOMAINS,
@@ -13,6 +13,7 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **surfaces.DOMAINS,
     **face_lists.DOMAINS,
     **relabelled.DOMAINS,
+    **complexes.DOMAINS,
     **solids.DOMAINS,
 }
 
