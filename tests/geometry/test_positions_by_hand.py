@@ -1,0 +1,287 @@
+"""Positions, lattice and prediction on examples worked out by hand."""
+
+from math import inf, nan, nextafter
+
+import pytest
+
+from clers.arithmetic.bits import Bits, pack
+from clers.complexes.corner_table import surface
+from clers.complexes.face_list import FaceList
+from clers.complexes.surface import Surface
+from clers.conventions.clause import Clause
+from clers.conventions.reason import Fault, Reason
+from clers.conventions.result import Accepted, Rejected
+from clers.conventions.where import WHOLE, AtVertex
+from clers.edgebreaker.examples import TETRAHEDRON, TRIANGLE
+from clers.geometry import exact, quantised, residual
+from clers.geometry.box import Box, boxed
+from clers.geometry.lattice import (
+    LARGEST_NUMBER,
+    Quantised,
+    exponent_for_bits,
+    exponent_for_error,
+    quantise,
+    restore,
+)
+from clers.geometry.positions import Positions, Precision, positions
+from clers.geometry.predict import NONE, parallelogram_corners, residuals
+from clers.geometry.quantised import Coded
+from clers.geometry.residual import fold
+
+
+def refusal(result: object) -> Rejected:
+    """The rejection that a test expects."""
+    assert isinstance(result, Rejected), result
+    return result
+
+
+def accepted_surface(*faces: tuple[int, int, int]) -> Surface:
+    """A surface that a test writes down."""
+    built = surface(FaceList(faces, 1 + max(map(max, faces))))
+    assert isinstance(built, Accepted), built
+    return built.value
+
+
+@pytest.mark.parametrize("stranger", [inf, -inf, nan])
+def test_no_infinity_and_no_nan(stranger: float) -> None:
+    """Clause: GEOM-POSITION-3."""
+    found = refusal(positions(Precision.F64, (0.0, 0.0, 0.0, 0.0, stranger, nan), 2))
+    assert found.reason is Reason.NON_FINITE_COORDINATE
+    assert found.fault is Fault.INVALID
+    assert found.where == AtVertex(1)
+
+
+def test_not_a_number_is_found_before_what_does_not_fit() -> None:
+    """Clauses: GEOM-POSITION-2, GEOM-POSITION-3, GEOM-POSITION-4."""
+    too_many = refusal(positions(Precision.F32, (0.1, nan, 0.0, 1.0), 1))
+    not_finite = refusal(positions(Precision.F32, (0.1, nan, 0.0), 1))
+    not_single = refusal(positions(Precision.F32, (0.0, 0.0, 0.0, 0.1, 0.5, 0.0), 2))
+    assert too_many.reason is Reason.COUNT_MISMATCH
+    assert not_finite.reason is Reason.NON_FINITE_COORDINATE
+    assert (not_single.reason, not_single.where) == (Reason.NOT_REPRESENTABLE, AtVertex(1))
+
+
+def test_exact_bytes_of_negative_zero_and_the_smallest_number() -> None:
+    """Clauses: GEOM-EXACT-1, GEOM-EXACT-2."""
+    given = Positions(Precision.F64, (-0.0, 5e-324, 1.0))
+    data = bytes.fromhex("0000000000000080 0100000000000000 000000000000f03f")
+    assert exact.encode(given) == data
+    back = exact.decode(Precision.F64, data, 1)
+    assert isinstance(back, Accepted)
+    assert exact.encode(back.value) == data
+    assert str(back.value.coordinates[0]) == "-0.0"
+
+
+def test_exact_bytes_of_a_nan_are_refused() -> None:
+    """Clause: GEOM-POSITION-3."""
+    data = bytes.fromhex("0000c07f 00000000 00000000")
+    found = refusal(exact.decode(Precision.F32, data, 1))
+    assert found.reason is Reason.NON_FINITE_COORDINATE
+
+
+@pytest.mark.parametrize(
+    ("x", "exponent", "k"),
+    [
+        (0.5, 0, 1),  # a tie goes up
+        (-0.5, 0, 0),
+        (-1.5, 0, -1),
+        (2.5, 0, 3),
+        (nextafter(0.5, 0.0), 0, 0),  # where adding a half first would round up
+        (nextafter(-0.5, -1.0), 0, -1),
+        (-5e-324, 971, 0),
+        (5e-324, -1074, 1),
+        (4503599627370497.5, 0, 4503599627370498),
+        (9007199254740991.0, 0, 9007199254740991),
+        (1.0, -2, 4),
+        (0.3, -3, 2),
+    ],
+)
+def test_nearest_lattice_numbers(x: float, exponent: int, k: int) -> None:
+    """Clauses: GEOM-LATTICE-2, GEOM-LATTICE-5."""
+    line = Positions(Precision.F64, (x, 0.0, 0.0))
+    assert quantise(line, exponent) == Accepted(Quantised(exponent, (k, 0, 0)))
+
+
+def test_a_lattice_finer_than_the_numbers_is_refused() -> None:
+    """Clause: GEOM-LATTICE-3."""
+    line = Positions(Precision.F64, (0.0, 0.0, 0.0, 0.0, 0.0, 9007199254740992.0))
+    found = refusal(quantise(line, 0))
+    assert (found.reason, found.where) == (Reason.NOT_REPRESENTABLE, AtVertex(1))
+    assert isinstance(quantise(line, 1), Accepted)
+
+
+@pytest.mark.parametrize("exponent", [-1075, 972])
+def test_exponents_outside_binary64_are_refused(exponent: int) -> None:
+    """Clause: GEOM-LATTICE-1."""
+    line = Positions(Precision.F64, (0.0, 0.0, 0.0))
+    assert refusal(quantise(line, exponent)).reason is Reason.BAD_LATTICE
+
+
+def test_restored_positions_are_single_where_they_can_be() -> None:
+    """Clauses: GEOM-LATTICE-4, GEOM-POSITION-5."""
+    assert restore(Quantised(-4, (1 << 24, 0, 3))).precision is Precision.F32
+    assert restore(Quantised(-4, ((1 << 24) + 1, 0, 3))).precision is Precision.F64
+
+
+@pytest.mark.parametrize(
+    ("width", "bits", "exponent"),
+    [(1.0, 1, 0), (1.0, 2, -1), (1.0, 4, -3), (15.0, 4, 0), (15.5, 4, 1), (15.4, 4, 0)],
+)
+def test_exponent_for_bits(width: float, bits: int, exponent: int) -> None:
+    """From 0 to 15.5 there are sixteen steps of 1 once 15.5 is rounded up.
+
+    Clause: GEOM-CHOICE-1.
+    """
+    line = Positions(Precision.F64, (0.0, 0.0, 0.0, width, 0.0, 0.0))
+    assert exponent_for_bits(line, bits) == Accepted(exponent)
+
+
+def test_one_place_is_kept() -> None:
+    """Clause: GEOM-CHOICE-1."""
+    line = Positions(Precision.F64, (0.1, 0.1, 0.1) * 3)
+    exponent = exponent_for_bits(line, 1)
+    assert exponent == Accepted(-56)  # 0.1 is an odd multiple of 2^-55; 2^53 bounds its number
+    found = quantise(line, -56)
+    assert isinstance(found, Accepted)
+    assert restore(found.value).coordinates == line.coordinates
+
+
+@pytest.mark.parametrize("bits", [0, 31, -1])
+def test_bits_out_of_range(bits: int) -> None:
+    """Clause: GEOM-CHOICE-1."""
+    assert refusal(exponent_for_bits(Positions(Precision.F64, ()), bits)).reason is (
+        Reason.BAD_LATTICE
+    )
+
+
+def test_no_lattice_is_wide_enough() -> None:
+    """Clause: GEOM-CHOICE-1."""
+    line = Positions(Precision.F64, (-1e308, 0.0, 0.0, 1e308, 0.0, 0.0))
+    assert refusal(exponent_for_bits(line, 30)).clause is Clause.GEOM_CHOICE_1
+
+
+@pytest.mark.parametrize(
+    ("bound", "exponent"), [(0.5, 0), (0.4, -1), (1.0, 1), (1e308, 971), (5e-324, -1073)]
+)
+def test_exponent_for_error(bound: float, exponent: int) -> None:
+    """Clause: GEOM-CHOICE-2."""
+    assert exponent_for_error(bound) == Accepted(exponent)
+
+
+@pytest.mark.parametrize("bound", [0.0, -1.0, inf, nan])
+def test_error_bounds_that_ask_for_nothing(bound: float) -> None:
+    """Clause: GEOM-CHOICE-2."""
+    assert refusal(exponent_for_error(bound)).reason is Reason.BAD_LATTICE
+
+
+def test_box_of_thirty_bits() -> None:
+    """Clause: GEOM-BOX-2."""
+    assert isinstance(boxed(Quantised(0, (-1, 0, 0, (1 << 30) - 2, 0, 0))), Accepted)
+    found = refusal(boxed(Quantised(0, (-1, 0, 0, (1 << 30) - 1, 0, 0))))
+    assert (found.reason, found.clause) == (Reason.BAD_LATTICE, Clause.GEOM_BOX_2)
+
+
+def test_parallelogram_of_two_triangles() -> None:
+    """The square 0 = (0,0), 1 = (4,0), 2 = (0,4) predicts 3 at 1 + 2 − 0 = (4,4).
+
+    Clauses: GEOM-PREDICT-1, GEOM-PREDICT-2.
+    """
+    square = accepted_surface((0, 1, 2), (3, 2, 1))
+    assert parallelogram_corners(square) == (NONE, NONE, NONE, 3)
+    flat = (0, 0, 0, 4, 0, 0, 0, 4, 0, 5, 3, 0)
+    found = residuals(square, Box((0, 0, 0), (5, 4, 0)), flat)
+    assert found == (0, 0, 0, 4, 0, 0, -4, 4, 0, 1, -1, 0)
+
+
+def test_predictions_stay_in_the_box() -> None:
+    """1 + 2 − 0 is (9, −1) here, in a box of (5, 4): it is moved to (5, 0).
+
+    Clause: GEOM-PREDICT-2.
+    """
+    square = accepted_surface((0, 1, 2), (3, 2, 1))
+    flat = (0, 4, 0, 5, 1, 0, 4, 2, 0, 3, 0, 0)
+    found = residuals(square, Box((0, 0, 0), (5, 4, 0)), flat)
+    assert found[9:] == (3 - 5, 0 - 0, 0)
+
+
+def test_tetrahedron_predicts_its_last_vertex() -> None:
+    """Vertex 3 lies across the edge from 2 to 1, opposite to 0. Clause: GEOM-PREDICT-4."""
+    corners = parallelogram_corners(accepted_surface((0, 1, 2), (3, 2, 1), (0, 3, 1), (2, 3, 0)))
+    assert corners == (NONE, NONE, NONE, 3)
+
+
+def test_folded_residuals_count_up() -> None:
+    """Clause: GEOM-CODE-1."""
+    assert [fold(r) for r in (0, -1, 1, -2, 2, -(1 << 30) + 1)] == [0, 1, 2, 3, 4, (1 << 31) - 3]
+
+
+def test_one_triangle_of_two_places() -> None:
+    """Box (1, 0, 0): on x the classes are 0, 1, 2; y and z have one class and cost nothing.
+
+    The points 0, 1, 1 have the residuals 0, 1, 0 from the vertex before; folded 0, 2, 0; classes
+    0, 2, 0 with one raw bit, 0, after the 2. Out of frequencies (1, 1, 1), (9, 1, 1) and (9, 1, 9)
+    the slots are 0–1 of 3, 10–11 of 11, 0–1 of 2, 0–9 of 19: the interval begins at
+    (1/3)(10/11) = 0.303030… and is (1/3)(1/11)(1/2)(9/19) = 0.007177 wide.
+    Clauses: GEOM-CODE-2, GEOM-CODE-3, GEOM-CODE-4.
+    """
+    given = Quantised(-1, (7, 0, 0, 8, 0, 0, 8, 0, 0))
+    coded = quantised.encode(TRIANGLE, given)
+    assert isinstance(coded, Accepted)
+    assert (coded.value.exponent, coded.value.box) == (-1, Box((7, 0, 0), (1, 0, 0)))
+    digits = coded.value.bits.digits()
+    low = 10 / 33
+    assert low <= int(digits, 2) / 2 ** len(digits) < low + 9 / (3 * 11 * 2 * 19)
+    assert len(digits) <= 10  # −log₂ 0.007177 = 7.12, and at most two more
+    assert quantised.decode(TRIANGLE, coded.value) == Accepted(given)
+
+
+@pytest.mark.parametrize(
+    "coded",
+    [
+        Coded(972, Box((0, 0, 0), (0, 0, 0)), Bits(b"\x40", 2)),
+        Coded(0, Box((-LARGEST_NUMBER - 1, 0, 0), (0, 0, 0)), Bits(b"\x40", 2)),
+        Coded(0, Box((0, 0, LARGEST_NUMBER), (0, 0, 1)), Bits(b"\x40", 2)),
+        Coded(0, Box((0, 0, 0), (1 << 30, 0, 0)), Bits(b"\x40", 2)),
+        Coded(0, Box((0, 0, 0), (-1, 0, 0)), Bits(b"\x40", 2)),
+    ],
+)
+def test_boxes_off_the_lattice_are_refused(coded: Coded) -> None:
+    """Clauses: GEOM-LATTICE-1, GEOM-BOX-2."""
+    assert refusal(quantised.decode(TRIANGLE, coded)).reason is Reason.BAD_LATTICE
+
+
+def test_a_box_that_is_not_tight_is_refused() -> None:
+    """All residuals 0 in a box that claims an extent of 1. Clause: GEOM-RESIDUAL-2."""
+    box = Box((0, 0, 0), (1, 0, 0))
+    bits = residual.encode(TRIANGLE, box, (0,) * 9)
+    assert isinstance(bits, Accepted)
+    found = refusal(quantised.decode(TRIANGLE, Coded(0, box, bits.value)))
+    assert (found.reason, found.where) == (Reason.BAD_RESIDUAL, WHOLE)
+
+
+def test_a_box_that_does_not_begin_at_its_low_is_refused() -> None:
+    """All indices 1 in a box of extent 1. Clause: GEOM-RESIDUAL-2."""
+    box = Box((0, 0, 0), (1, 0, 0))
+    bits = residual.encode(TRIANGLE, box, (1, *(0,) * 8))
+    assert isinstance(bits, Accepted)
+    found = refusal(quantised.decode(TRIANGLE, Coded(0, box, bits.value)))
+    assert (found.reason, found.where) == (Reason.BAD_RESIDUAL, WHOLE)
+
+
+def test_no_residual_takes_no_bits() -> None:
+    """All extents 0: nothing is left to say but 01, the empty message. Clause: GEOM-CODE-3."""
+    assert quantised.decode(TRIANGLE, Coded(0, Box((0, 0, 0), (0, 0, 0)), pack([0, 1]))) == (
+        Accepted(Quantised(0, (0,) * 9))
+    )
+
+
+def test_residuals_of_another_surface_are_refused() -> None:
+    """Clause: GEOM-CODE-4."""
+    found = refusal(residual.encode(TETRAHEDRON, Box((0, 0, 0), (0, 0, 0)), (0,) * 9))
+    assert (found.reason, found.clause) == (Reason.COUNT_MISMATCH, Clause.GEOM_CODE_4)
+
+
+def test_positions_for_another_surface_are_refused() -> None:
+    """Clauses: GEOM-MESH-1, GEOM-CODE-4."""
+    found = refusal(quantised.encode(TETRAHEDRON, Quantised(0, (0,) * 9)))
+    assert found.reason is Reason.COUNT_MISMATCH
