@@ -1,6 +1,5 @@
 """Meshes from public packages, and the hashes of those that are here."""
 
-from collections.abc import Callable
 from hashlib import sha256
 from pathlib import Path
 
@@ -8,15 +7,13 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
 from clers.corpus import npm_module
-from clers.corpus.manifest import Entry, Source
-from clers.corpus.obtain import obtain
-from clers.meshfile.atomic import write_bytes
+from clers.corpus.manifest import Entry
+from clers.corpus.obtain import Obtain
+from clers.meshfile.atomic import unwritable, write_bytes
 from clers.meshfile.formats import format_of
 from clers.meshfile.mesh import RawMesh
 from clers.meshfile.reading import contents, parse
 from clers.meshfile.rendering import render
-
-Obtain = Callable[[Source], Accepted[bytes] | Rejected]
 
 
 def verify(entry: Entry, folder: Path) -> Accepted[Path] | Rejected:
@@ -30,14 +27,24 @@ def verify(entry: Entry, folder: Path) -> Accepted[Path] | Rejected:
     )
 
 
-def fetch(entry: Entry, folder: Path, by: Obtain = obtain) -> Accepted[Path] | Rejected:
-    """The file of an entry, obtained unless it is there already. Clause: TOOL-CORPUS-6."""
+def fetch(entry: Entry, folder: Path, by: Obtain) -> Accepted[Path] | Rejected:
+    """The file of an entry in a folder, obtained unless it is there already.
+
+    Clause: TOOL-CORPUS-6. The folder is made if there is none.
+    """
     there = verify(entry, folder)
     if isinstance(there, Accepted):
         return there
-    path = folder / entry.file
     made = and_then(by(entry.source), lambda data: mesh_file(entry, data))
-    return and_then(made, lambda data: write_bytes(path, data))
+    return and_then(made, lambda data: _put(folder, entry.file, data))
+
+
+def _put(folder: Path, file: str, data: bytes) -> Accepted[Path] | Rejected:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        return unwritable(error.strerror or str(error))
+    return write_bytes(folder / file, data)
 
 
 def mesh_file(entry: Entry, data: bytes) -> Accepted[bytes] | Rejected:

@@ -4,6 +4,7 @@ import io
 import shutil
 import subprocess
 import tarfile
+from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Final, assert_never
@@ -12,6 +13,8 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
 from clers.corpus.manifest import Client, Source
+
+Obtain = Callable[[Source], Accepted[bytes] | Rejected]
 
 _TIMEOUT: Final = 600.0
 
@@ -24,27 +27,43 @@ def not_obtainable(detail: str) -> Rejected:
 def obtain(source: Source) -> Accepted[bytes] | Rejected:
     """The bytes of the file that a source names; its hash is not looked at.
 
-    Clause: TOOL-CORPUS-6. Runs the client in a folder of its own, which is removed.
+    Clause: TOOL-CORPUS-6.
     """
+    return and_then(package(source), lambda archive: file_in(archive, source))
+
+
+def obtaining() -> Obtain:
+    """As `obtain`, but the last package is remembered: its next file needs no client."""
+    last: dict[tuple[Client, str, str], Accepted[bytes] | Rejected] = {}
+
+    def by(source: Source) -> Accepted[bytes] | Rejected:
+        key = (source.client, source.package, source.version)
+        if key not in last:
+            archive = package(source)
+            last.clear()
+            last[key] = archive
+        return and_then(last[key], lambda archive: file_in(archive, source))
+
+    return by
+
+
+def package(source: Source) -> Accepted[bytes] | Rejected:
+    """The tar file of a package's content. The client runs in a folder that is then removed."""
     with TemporaryDirectory(prefix="clers-") as name:
-        folder = Path(name)
         match source.client:
             case Client.NPM:
-                packed = _npm(source, folder)
+                return _npm(source, Path(name))
             case Client.DEBIAN:
-                packed = _debian(source, folder)
+                return _debian(source, Path(name))
             case _:
                 assert_never(source.client)
-        return and_then(packed, lambda data: _inner(source, data))
 
 
 def _npm(source: Source, folder: Path) -> Accepted[bytes] | Rejected:
     command = ["npm", "pack", "--silent", f"{source.package}@{source.version}"]
     return and_then(
         _run(command, folder),
-        lambda _: and_then(
-            _only(folder, ".tgz"), lambda file: _member(file.read_bytes(), source.path)
-        ),
+        lambda _: and_then(_only(folder, ".tgz"), lambda file: Accepted(file.read_bytes())),
     )
 
 
@@ -54,17 +73,16 @@ def _debian(source: Source, folder: Path) -> Accepted[bytes] | Rejected:
         _run(command, folder),
         lambda _: and_then(
             _only(folder, ".deb"),
-            lambda file: and_then(
-                _run(["dpkg-deb", "--fsys-tarfile", file.name], folder),
-                lambda tree: _member(tree, f"./{source.path}"),
-            ),
+            lambda file: _run(["dpkg-deb", "--fsys-tarfile", file.name], folder),
         ),
     )
 
 
-def _inner(source: Source, data: bytes) -> Accepted[bytes] | Rejected:
-    """The file within the tar file that was taken out, if the source says that it is one."""
-    return _member(data, source.member) if source.member else Accepted(data)
+def file_in(archive: bytes, source: Source) -> Accepted[bytes] | Rejected:
+    """The file in the package's tar file, or in the tar file that is in there."""
+    start = "./" if source.client is Client.DEBIAN else ""
+    found = _member(archive, start + source.path)
+    return and_then(found, lambda data: _member(data, source.member)) if source.member else found
 
 
 def _run(command: list[str], folder: Path) -> Accepted[bytes] | Rejected:

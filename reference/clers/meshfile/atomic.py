@@ -10,6 +10,11 @@ from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 
 
+def unwritable(detail: str) -> Rejected:
+    """Why nothing was written. Clause: TOOL-WRITE-4."""
+    return Rejected(Reason.UNWRITABLE_FILE, Clause.TOOL_WRITE_4, detail=detail)
+
+
 def write_bytes(path: Path, data: bytes) -> Accepted[Path] | Rejected:
     """Give a file these bytes, or leave everything as it was; its path. Clause: TOOL-WRITE-4.
 
@@ -19,12 +24,12 @@ def write_bytes(path: Path, data: bytes) -> Accepted[Path] | Rejected:
         target = Path(os.path.realpath(path))
         mode = target.stat().st_mode if target.exists() else None
         if mode is not None and not stat.S_ISREG(mode):
-            return _unwritable("a folder" if stat.S_ISDIR(mode) else "not a regular file")
+            return unwritable("a folder" if stat.S_ISDIR(mode) else "not a regular file")
         _replace(target, data, mode)
     except OSError as error:
-        return _unwritable(error.strerror or str(error))
+        return unwritable(error.strerror or str(error))
     except ValueError as error:  # a name with a null byte
-        return _unwritable(str(error))
+        return unwritable(str(error))
     return Accepted(path)
 
 
@@ -58,7 +63,3 @@ def _flush_folder(folder: Path) -> None:
         return
     finally:
         os.close(opened)
-
-
-def _unwritable(detail: str) -> Rejected:
-    return Rejected(Reason.UNWRITABLE_FILE, Clause.TOOL_WRITE_4, detail=detail)

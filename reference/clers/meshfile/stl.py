@@ -4,6 +4,7 @@ No loader library: trimesh 5.2 reads three loops of four ASCII vertices as four 
 another package to answer to a truncated binary file. Binary STL is one line of `struct`.
 """
 
+import re
 from array import array
 from collections.abc import Sequence
 from struct import Struct
@@ -19,6 +20,7 @@ from clers.meshfile.numeral import reals
 HEAD: Final = Struct("<80sI")
 FACET: Final = Struct("<3f9fH")
 _LINES_OF_A_FACET: Final = 7
+_OPENING: Final = re.compile(rb"\s*solid(\s|\Z)", re.IGNORECASE)
 
 Row = tuple[int, list[bytes]]
 
@@ -32,7 +34,7 @@ def parse(data: bytes, limits: Limits) -> Accepted[RawMesh] | Rejected:
             for facet in FACET.iter_unpack(memoryview(data)[HEAD.size :]):
                 corners.extend(facet[3:12])
             return welded(corners, Precision.F32, limits)
-    if data.split(None, 1)[:1] != [b"solid"]:
+    if not _OPENING.match(data):
         return unreadable("neither ASCII STL nor binary STL of the length it says")
     solids = _solids(data)
     if isinstance(solids, Rejected):
@@ -107,10 +109,12 @@ def _facet(rows: list[Row], start: int, face: int) -> list[float] | Rejected:
             return bad_line(line, "no three coordinates")
         places += place
         i += 1
-    framed = [words for _, words in (*rows[start : start + 1], *rows[i : i + 2])]
-    if framed != [[b"outer", b"loop"], [b"endloop"], [b"endfacet"]]:
-        line = rows[min(i, len(rows) - 1)][0]
-        return bad_line(line, f"no loop of vertices of facet {face}")
+    for at, said in ((start, b"outer loop"), (i, b"endloop"), (i + 1, b"endfacet")):
+        if at >= len(rows):
+            return unreadable(f"facet {face} does not end")
+        line, words = rows[at]
+        if words != said.split():
+            return bad_line(line, f"no {said.decode()} of facet {face}")
     if len(places) != 9:
         return not_a_triangle(face, len(places) // 3)
     return places
