@@ -51,6 +51,7 @@ It takes 1.7356<!--= golden.bits-per-triangle --> bits.
 3
 ```
 """,
+        "spec/README.md": "# Pages\n\n[Rules](00-conventions.md), [boxes](01-boxes.md#boxes).\n",
         "README.md": "# Toys\n\nSee [boxes](spec/01-boxes.md#what-is-a-box) and BOX-LID-1.\n",
         "proofs_notes/lids.md": "# Lids\n\nBy BOX-LID-1 to BOX-LID-2, no.\n",
         "reference/clers/conventions/clause.py": '''\

@@ -14,7 +14,7 @@ from clers.specification.identity import (
     stated_once,
     well_formed,
 )
-from clers.specification.links import resolved
+from clers.specification.links import indexed, resolved
 from clers.specification.numbers import as_computed
 from clers.specification.registry import registered
 from clers.specification.repository import Repository
@@ -34,6 +34,7 @@ RULES: Final[tuple[Rule, ...]] = (
     read_again,
     generated,
     resolved,
+    indexed,
     as_shown,
     as_computed(VALUES),
 )

@@ -52,11 +52,9 @@ def in_its_chapter(of: Repository) -> Iterator[Finding]:
     """A clause stands in the chapter of its prefix. Clause: CONV-CLAUSE-6."""
     for clause in of.clauses:
         chapter = of.prefixes.get(prefix(clause.clause))
-        at = (clause.path, clause.line, clause.clause)
-        if chapter is None:
-            yield Finding("prefix", *at, "chapter 0 has no such prefix in its table")
-        elif chapter != clause.chapter:
-            yield Finding("prefix", *at, f"belongs to chapter {chapter}, stands in another")
+        if chapter != clause.chapter:
+            text = "chapter 0 gives its prefix to " + ("none" if chapter is None else f"{chapter}")
+            yield Finding("prefix", clause.path, clause.line, clause.clause, text)
 
 
 def cited_exists(of: Repository) -> Iterator[Finding]:

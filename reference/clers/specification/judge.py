@@ -58,10 +58,8 @@ def judge(
 
     try:
         example = _smallest(strategy, fails, examples, seed)
-    except NoSuchExample:
+    except (NoSuchExample, Unsatisfiable):
         return Held(drawn) if drawn else Unjudged(f"the generator of {law.domain} draws nothing")
-    except Unsatisfiable:
-        return Unjudged(f"the generator of {law.domain} draws nothing")
     except Flaky:
         return Unjudged("two verdicts on one example: the law or its generator is not pure")
     except Exception as error:

@@ -1,4 +1,4 @@
-"""The rule on links: files and anchors inside the repository exist. Clause: CONV-PROSE-1."""
+"""Rules on links: each leads somewhere, and the index to every page of the specification."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -10,6 +10,7 @@ from clers.specification.finding import Finding
 from clers.specification.markdown import Page, anchors, links
 from clers.specification.repository import Repository
 
+INDEX: Final = "spec/README.md"
 _ELSEWHERE: Final = re.compile(r"[a-z][a-z0-9+.-]*:|//", re.IGNORECASE)
 
 
@@ -43,7 +44,7 @@ def _fault(of: Repository, pages: Mapping[str, Page], page: Page, target: str) -
 
 
 def resolved(of: Repository) -> Iterator[Finding]:
-    """Every relative link of the pages leads to a file, and its anchor to a heading."""
+    """Every relative link leads to a file, and its anchor to a heading. Clause: CONV-PROSE-1."""
     pages = {page.path: page for page in of.pages}
     for page in of.pages:
         for link in links(page):
@@ -52,3 +53,14 @@ def resolved(of: Repository) -> Iterator[Finding]:
                 if fault:
                     text = f"link to {link.target}: {fault}"
                     yield Finding("link", page.path, link.line, "", text)
+
+
+def indexed(of: Repository) -> Iterator[Finding]:
+    """The readme of the specification links to all its other pages. Clause: CONV-PROSE-4."""
+    index = next((page for page in of.pages if page.path == INDEX), None)
+    linked = (
+        {_inside(index, link.target.partition("#")[0]) for link in links(index)} if index else set()
+    )
+    for page in of.pages:
+        if page.path.startswith("spec/") and page.path not in (INDEX, *linked):
+            yield Finding("index", page.path, 1, "", f"{INDEX} does not link to it")

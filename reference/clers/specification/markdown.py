@@ -60,7 +60,7 @@ class Comment:
 
 @cache
 def _parser() -> MarkdownIt:
-    return MarkdownIt("commonmark").enable("table")
+    return MarkdownIt("commonmark")
 
 
 def page(path: str, text: str) -> Page:

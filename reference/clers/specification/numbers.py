@@ -27,11 +27,10 @@ def _printed(text: str) -> tuple[Fraction, Fraction]:
 def agrees(printed: str, value: Value) -> bool:
     """Whether the value, rounded to the digits printed, is the number printed.
 
-    A tie may be rounded either way. An `int` and a number printed as `a/b` must agree exactly.
+    A tie may be rounded either way. A number printed as `a/b` must agree exactly.
     """
     number, half = _printed(printed)
-    slack = Fraction(0) if isinstance(value, int) else half
-    return abs(Fraction(value) - number) <= slack
+    return abs(Fraction(value) - number) <= half
 
 
 def as_computed(values: Values) -> Callable[[Repository], Iterator[Finding]]:
