@@ -1,9 +1,10 @@
 """The arithmetic coder of the tutorial's Algorithms 1 and 2, mended: 32 bits, linear time."""
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain, repeat
+from typing import Final
 
 from clers.arithmetic.bits import Bits, pack
 from clers.arithmetic.steps import HALF, PRECISION, QUARTER, TOP
@@ -13,7 +14,7 @@ from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtSymbol
 from clers.information.model import MAXIMUM_TOTAL, Model, not_in_alphabet, over_maximum
 
-_THREE_QUARTERS = 3 * QUARTER
+_THREE_QUARTERS: Final = 3 * QUARTER
 
 
 def encode(model: Model, symbols: Sequence[int]) -> Accepted[Bits] | Rejected:
@@ -155,3 +156,15 @@ def _truncated(index: int, bits: Bits) -> Rejected:
     """The message up to symbol `index` needs more bits than there are. Clause: ARITH-STRICT-2."""
     detail = f"{bits.length} bits are given"
     return Rejected(Reason.TRUNCATED_BITS, Clause.ARITH_STRICT_2, AtSymbol(index), detail)
+
+
+@dataclass(frozen=True, slots=True)
+class Coder:
+    """An arithmetic coder as a value: what the laws of this chapter judge."""
+
+    encode: Callable[[Model, Sequence[int]], Accepted[Bits] | Rejected]
+    decode: Callable[[Model, Bits, int], Accepted[tuple[int, ...]] | Rejected]
+    read: Callable[[Model, Bits, int], Accepted[Reading] | Rejected]
+
+
+REFERENCE: Final = Coder(encode, decode, read)

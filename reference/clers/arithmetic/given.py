@@ -1,0 +1,51 @@
+"""The domains that the laws of chapter 2 range over, beside those of chapter 1."""
+
+from dataclasses import dataclass
+from typing import Final
+
+from clers.arithmetic.bits import Bits
+from clers.arithmetic.steps import State
+from clers.conventions.law import Given
+from clers.information.model import Model
+
+
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """A message and bits that follow its code."""
+
+    model: Model
+    symbols: tuple[int, ...]
+    tail: Bits
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """Bits that somebody takes for the code of so many symbols."""
+
+    model: Model
+    bits: Bits
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
+class Narrowing:
+    """A state that is to be narrowed by a table."""
+
+    state: State
+    frequencies: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Declared:
+    """Bytes, and how many bits they are said to hold."""
+
+    data: bytes
+    length: int
+
+
+JOINED: Final = Given("message-and-tail", "an allowed message and bits that follow it", Joined)
+ATTEMPT: Final = Given("any-bits", "a model, bits of any origin, a number of symbols", Attempt)
+NARROWING: Final = Given("settled-state", "a settled state and a good table", Narrowing)
+INTERVAL: Final = Given("any-state", "integers 0 ≤ low ≤ high < 2^32", State)
+DECLARED: Final = Given("declared-bytes", "bytes and a declared number of bits", Declared)
+BITS: Final = Given("bits", "a string of bits", Bits)

@@ -1,0 +1,10 @@
+"""The laws of chapter 1."""
+
+from typing import Final
+
+from clers.conventions.law import AnyLaw
+from clers.information.laws_combined import LAWS_OF_COMBINED
+from clers.information.laws_measure import LAWS_OF_MEASURE
+from clers.information.laws_models import LAWS_OF_MODELS
+
+LAWS: Final[tuple[AnyLaw, ...]] = LAWS_OF_MEASURE + LAWS_OF_MODELS + LAWS_OF_COMBINED

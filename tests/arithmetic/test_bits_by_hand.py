@@ -1,0 +1,158 @@
+"""Codes worked out by hand, and each rejection at its smallest."""
+
+from typing import Final
+
+import pytest
+
+from clers.arithmetic import coder
+from clers.arithmetic.bits import Bits, pack, packed
+from clers.arithmetic.coder import Reading
+from clers.arithmetic.steps import HALF, QUARTER, TOP, State, narrow
+from clers.conventions.reason import Reason
+from clers.conventions.result import Accepted, Rejected
+from clers.conventions.where import AtByte, AtSymbol, Where, Whole
+from clers.information.combined import Until, times
+from clers.information.model import MAXIMUM_TOTAL, Model, Slot, cumulative
+from clers.information.static import END, Static
+
+COIN: Final = Static(cumulative((1, 1)))
+MIDDLE: Final = Static(cumulative((1, 2, 1)))
+TOO_LARGE: Final = Static((0, 1, MAXIMUM_TOTAL + 1))
+
+
+def bits(digits: str) -> Bits:
+    return pack(int(digit) for digit in digits)
+
+
+def digits_of(model: Model, *symbols: int) -> str:
+    coded = coder.encode(model, symbols)
+    assert isinstance(coded, Accepted)
+    return coded.value.digits()
+
+
+def test_empty_message() -> None:
+    """ARITH-END-1: all of the state is left, so its second quarter is named."""
+    assert digits_of(COIN) == "01"
+    assert digits_of(END) == "01"
+
+
+def test_coin() -> None:
+    """ARITH-SHIFT-2: each toss is a bit; then the ending of an untouched state."""
+    assert digits_of(COIN, 1, 0, 1, 1) == "1011" + "01"
+
+
+def test_symbols_that_are_certain_cost_nothing() -> None:
+    """ARITH-NARROW-1: the whole interval is the only part."""
+    assert digits_of(Static((0, MAXIMUM_TOTAL)), *[0] * 50) == "01"
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 31, 32, 33, 1000])
+def test_pending_bits(count: int) -> None:
+    """ARITH-SHIFT-2, ARITH-END-1, ARITH-CARRY-1: [1/4, 3/4) again and again leaves all pending.
+
+    The interval is 1/2 ± 2^-(count+1). Its second quarter begins at 1/2 - 2^-(count+2).
+    The upper quarter of it is 1/2 and then count zeros, and a one.
+    """
+    middles = [1] * count
+    assert digits_of(MIDDLE, *middles) == "0" + "1" * (count + 1)
+    assert digits_of(MIDDLE, *middles, 2) == "1" + "0" * count + "1" + "01"
+    assert digits_of(MIDDLE, *middles, 0) == "0" + "1" * count + "0" + "01"
+
+
+def test_ending_in_the_upper_half() -> None:
+    """ARITH-END-1. [1/4, 1) keeps the state at low = 2^30, so the third quarter is named."""
+    assert digits_of(Static(cumulative((1, 3))), 1) == "10"
+    assert digits_of(Static(cumulative((1, 3))), 0) == "00" + "01"
+
+
+def test_zeros_follow_the_bits() -> None:
+    """ARITH-DECODE-1, ARITH-DECODE-4: the bits 1 say 1, 0, 0; the code of that is 10001."""
+    assert coder.read(COIN, bits("1"), 3) == Accepted(Reading((1, 0, 0), 5, canonical=False))
+
+
+def test_a_message_within_a_longer_string() -> None:
+    """ARITH-DECODE-4, ARITH-END-2: the second message starts where the first is seen to end."""
+    both = digits_of(COIN, 1, 1) + digits_of(MIDDLE, 1, 2)
+    first = coder.read(COIN, bits(both), 2)
+    assert first == Accepted(Reading((1, 1), 4, canonical=True))
+    assert coder.decode(MIDDLE, bits(both[4:]), 2) == Accepted((1, 2))
+
+
+def test_a_model_that_ends_stops_the_decoder() -> None:
+    """ARITH-DECODE-3, INFO-MODEL-3."""
+    until = Until(COIN, stop=1)
+    assert coder.decode(until, bits(digits_of(until, 0, 0, 1)), 1000) == Accepted((0, 0, 1))
+    two = times(COIN, 2)
+    assert coder.decode(two, bits("1101"), 1000) == Accepted((1, 1))
+
+
+@pytest.mark.parametrize(
+    ("given", "count", "reason", "where"),
+    [
+        ("", 0, Reason.TRUNCATED_BITS, AtSymbol(0)),
+        ("0", 0, Reason.TRUNCATED_BITS, AtSymbol(0)),
+        ("1011", 3, Reason.TRUNCATED_BITS, AtSymbol(2)),
+        ("101", 3, Reason.TRUNCATED_BITS, AtSymbol(1)),
+        ("010", 0, Reason.TRAILING_BITS, Whole()),
+        ("101010", 3, Reason.TRAILING_BITS, Whole()),
+        ("00", 0, Reason.NOT_CANONICAL, Whole()),
+        ("10", 0, Reason.NOT_CANONICAL, Whole()),
+        ("11", 0, Reason.NOT_CANONICAL, Whole()),
+        ("10100", 3, Reason.NOT_CANONICAL, Whole()),
+        ("10101", 10**12, Reason.TRUNCATED_BITS, AtSymbol(3)),
+    ],
+)
+def test_rejections(given: str, count: int, reason: Reason, where: Where) -> None:
+    """ARITH-STRICT-2, ARITH-STRICT-3, ARITH-STRICT-4. No count keeps the decoder busy."""
+    got = coder.decode(COIN, bits(given), count)
+    assert isinstance(got, Rejected)
+    assert (got.reason, got.where) == (reason, where)
+
+
+def test_a_table_that_is_too_large() -> None:
+    """INFO-MODEL-6: encoder and decoder say so, at the symbol that meets it."""
+    for got in (
+        coder.encode(TOO_LARGE, [1]),
+        coder.read(TOO_LARGE, bits("01"), 1),
+        coder.decode(TOO_LARGE, bits("01"), 1),
+    ):
+        assert isinstance(got, Rejected)
+        assert (got.reason, got.where) == (Reason.BAD_TABLE, AtSymbol(0))
+
+
+def test_packing() -> None:
+    """ARITH-BITS-2, ARITH-BITS-3."""
+    assert bits("10100000011").data == b"\xa0\x60"
+    assert bits("").data == b""
+    assert packed(b"\xa0\x60", 11) == Accepted(bits("10100000011"))
+    assert packed(b"", 0) == Accepted(bits(""))
+
+
+@pytest.mark.parametrize(
+    ("data", "length", "reason", "where"),
+    [
+        (b"\xa0", 9, Reason.TRUNCATED_BITS, Whole()),
+        (b"", -1, Reason.TRUNCATED_BITS, Whole()),
+        (b"\xa0\x00", 8, Reason.TRAILING_BITS, AtByte(1)),
+        (b"\xa0\x00", 0, Reason.TRAILING_BITS, AtByte(0)),
+        (b"\xff\xa1", 15, Reason.TRAILING_BITS, AtByte(1)),
+    ],
+)
+def test_bytes_that_do_not_fit(data: bytes, length: int, reason: Reason, where: Where) -> None:
+    """ARITH-BITS-3."""
+    got = packed(data, length)
+    assert isinstance(got, Rejected)
+    assert (got.reason, got.where) == (reason, where)
+
+
+def test_why_totals_end_at_a_quarter() -> None:
+    """INFO-MODEL-2, ARITH-NARROW-2, ARITH-STATE-2: the narrowest settled state and its first slot.
+
+    It has 2^30 + 2 integers: enough for a total of 2^30 + 2, and not for one more.
+    """
+    narrowest = State(QUARTER - 1, HALF)
+    assert narrowest.width == QUARTER + 2
+    enough, empty = (narrow(narrowest, Slot(0, 1, QUARTER + more)) for more in (2, 3))
+    assert enough.width == 1
+    assert empty.width == 0
+    assert State().high == TOP
