@@ -8,14 +8,20 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import Final
 
+from clers.codes import laws as codes
 from clers.complexes import laws as complexes
 from clers.conventions.law import AnyLaw
+from clers.edgebreaker import laws as edgebreaker
+from clers.geometry import laws as geometry
 from clers.operators import laws as operators
 
 CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
     {
         3: complexes.LAWS,
         4: operators.LAWS,
+        5: edgebreaker.LAWS,
+        6: codes.LAWS,
+        7: geometry.LAWS,
     }
 )
 

@@ -7,7 +7,7 @@ import sys
 import pytest
 import typer
 
-from clers.cli.output import progress, reject, table, where_record
+from clers.cli.output import line, progress, reject, table, where_record
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Rejected
@@ -23,14 +23,14 @@ from clers.conventions.where import (
     Where,
 )
 
-PINCHED = Rejected(Reason.PINCHED_VERTEX, Clause.CPLX_REJECT_8, AtVertex(3), "two fans\nat it")
+PINCHED = Rejected(Reason.PINCHED_VERTEX, Clause.CONV_RESULT_4, AtVertex(3), "two fans\nat it")
 
 
 def test_reject_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
     """Clauses: TOOL-OUTPUT-2, TOOL-EXIT-1."""
     with pytest.raises(typer.Exit) as ended:
         reject("toy.ply", PINCHED)
-    said = "toy.ply: invalid: pinched-vertex at vertex 3 [CPLX-REJECT-8]: two fans at it\n"
+    said = "toy.ply: invalid: pinched-vertex at vertex 3 [CONV-RESULT-4]: two fans at it\n"
     assert (ended.value.exit_code, *capsys.readouterr()) == (1, "", said)
 
 
@@ -46,7 +46,7 @@ def test_reject_as_json(capsys: pytest.CaptureFixture[str]) -> None:
             "class": "invalid",
             "reason": "pinched-vertex",
             "at": {"vertex": 3},
-            "clause": "CPLX-REJECT-8",
+            "clause": "CONV-RESULT-4",
             "detail": "two fans\nat it",
         },
     }
@@ -93,5 +93,6 @@ def test_progress_on_a_terminal(
     monkeypatch.setenv("TERM", "xterm")
     with progress("laws", 2) as step:
         step("euler")
+        line("a result")
     assert "laws: euler" in terminal.getvalue()
-    assert capsys.readouterr().out == ""
+    assert capsys.readouterr().out == "a result\n"

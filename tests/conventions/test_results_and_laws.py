@@ -80,8 +80,8 @@ def test_one_line(reason: Reason, clause: Clause, where: Where, detail: str) -> 
 
 def test_first_fault() -> None:
     """A later step cannot hide an earlier fault. Clause: CONV-RESULT-5."""
-    first = Rejected(Reason.EMPTY_MESH, Clause.CPLX_REJECT_1)
-    second = Rejected(Reason.ISOLATED_VERTEX, Clause.CPLX_REJECT_9)
+    first = Rejected(Reason.EMPTY_MESH, Clause.CONV_RESULT_5)
+    second = Rejected(Reason.ISOLATED_VERTEX, Clause.CONV_RESULT_5)
     assert and_then(first, lambda _: second) == first
     assert and_then(Accepted(1), lambda _: second) == second
     assert and_then(Accepted(1), lambda n: Accepted(n + 1)) == Accepted(2)

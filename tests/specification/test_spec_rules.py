@@ -138,6 +138,21 @@ def test_no_code(tmp_path: Path) -> None:
     assert found(write(tmp_path, files)) == [("no-code", BOXES, 10, "BOX-LID-2")]
 
 
+def test_a_string_is_neither_code_nor_test(tmp_path: Path) -> None:
+    """Expected output is no evidence; a comment or a constant's docstring is. CONV-CLAUSE-2."""
+    both = ((TOYS, "BOX-LID-1 … BOX-LID-2", "none"), (TEST, "Clause.BOX_LID_2", "'BOX-LID-2'"))
+    files = edited(*both)
+    strings = {**files, TOYS: files[TOYS] + '\n\nLID = "BOX-LID-2"\n'}
+    faults = [("no-code", BOXES, 10, "BOX-LID-2"), ("no-law", BOXES, 10, "BOX-LID-2")]
+    assert found(write(tmp_path, strings)) == faults
+    words = {
+        **strings,
+        TOYS: strings[TOYS] + '"""By BOX-LID-2."""\n',
+        TEST: files[TEST] + "    # BOX-LID-2\n",
+    }
+    assert found(write(tmp_path, words)) == []
+
+
 def test_a_laws_words_are_not_code(tmp_path: Path) -> None:
     """Clause: CONV-CLAUSE-2."""
     files = edited((TOYS, "BOX-LID-1 … BOX-LID-2", "none"), (LAWS, "boxes.", "boxes. BOX-LID-2"))

@@ -124,7 +124,8 @@ def progress(what: str, total: int) -> Iterator[Callable[[str], None]]:
     from rich.console import Console
     from rich.progress import Progress
 
-    with Progress(console=Console(stderr=True), transient=True) as bar:
+    console, same = Console(stderr=True), sys.stdout.isatty()
+    with Progress(console=console, transient=True, redirect_stdout=same) as bar:
         task = bar.add_task(what, total=total + 1)
 
         def step(word: str) -> None:

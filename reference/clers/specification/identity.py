@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from itertools import groupby
 from typing import Final
 
-from clers.specification.citation import Kind
 from clers.specification.clause_module import clause_module
 from clers.specification.clause_text import ClauseText
 from clers.specification.finding import Finding
@@ -64,7 +63,7 @@ def cited_exists(of: Repository) -> Iterator[Finding]:
     """
     ids = of.ids
     for site in of.citations:
-        free = site.kind is Kind.TEST and prefix(site.clause) not in of.prefixes
+        free = site.path.startswith("tests/") and prefix(site.clause) not in of.prefixes
         if site.clause not in ids and not free:
             text = "retired" if site.clause in of.retired else "no such clause"
             yield Finding("dangling", site.path, site.line, site.clause, text)

@@ -35,9 +35,10 @@ class Module:
 def read_module(path: str, source: str, kind: Kind) -> Module:
     """Read one file; `kind` is `CODE` or `TEST`. Clauses: CONV-CLAUSE-2, CONV-CLAUSE-8.
 
-    Where code writes laws out, an attribute `Clause.X` is a law's, and strings and comments are
-    prose, for a law's words are no implementation. A string over several lines cites at the line
-    where the id stands. A file that does not parse cites nothing, and says so in `fault`.
+    Docstrings, comments and attributes `Clause.X` cite as the file does; other strings are prose.
+    Where code writes laws out, the attributes are the laws', and all words are prose, for a law's
+    words are no implementation. A string over several lines cites at the line where the id
+    stands. A file that does not parse cites nothing, and says so in `fault`.
     """
     try:
         tree = ast.parse(source)
@@ -48,10 +49,15 @@ def read_module(path: str, source: str, kind: Kind) -> Module:
     laws = tuple(call for call in calls if call.name)
     spans = (*laws, *_definitions(tree))
     found = [
-        *(Citation(id_, said, path, line, _innermost(spans, line)) for id_, line in _said(source)),
-        *(Citation(id_, named, path, line, _innermost(spans, line)) for id_, line in _named(tree)),
+        *(
+            (clause, said if documents else Kind.PROSE, line)
+            for clause, line, documents in _said(source, _documents(tree))
+        ),
+        *((clause, named, line) for clause, line in _named(tree)),
     ]
-    return Module(path, tuple(sorted(found, key=lambda site: site.line)), laws)
+    found.sort(key=lambda site: site[2])
+    sites = (Citation(id_, as_, path, line, _innermost(spans, line)) for id_, as_, line in found)
+    return Module(path, tuple(sites), laws)
 
 
 def _law_calls(tree: ast.AST) -> Iterator[Span]:
@@ -83,12 +89,23 @@ def _innermost(spans: tuple[Span, ...], line: int) -> str:
     return min(around, key=lambda span: span.last - span.first).name if around else ""
 
 
-def _said(source: str) -> Iterator[tuple[str, int]]:
-    """Ids in strings and comments, with their lines."""
+def _documents(tree: ast.AST) -> frozenset[tuple[int, int]]:
+    """Where docstrings begin (line, column): those of modules, definitions and constants."""
+    return frozenset(
+        (node.lineno, node.col_offset)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    )
+
+
+def _said(source: str, documents: frozenset[tuple[int, int]]) -> Iterator[tuple[str, int, bool]]:
+    """Ids in strings and comments, with their lines, and whether that is documentation."""
     for token in tokenize.generate_tokens(io.StringIO(source).readline):
         if token.type in (tokenize.COMMENT, tokenize.STRING):
+            documents_it = token.type == tokenize.COMMENT or token.start in documents
             for mention in mentions(token.string):
-                yield mention.clause, token.start[0] + token.string.count("\n", 0, mention.offset)
+                line = token.start[0] + token.string.count("\n", 0, mention.offset)
+                yield mention.clause, line, documents_it
 
 
 def _named(tree: ast.AST) -> Iterator[tuple[str, int]]:
