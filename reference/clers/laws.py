@@ -8,15 +8,19 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import Final
 
+from clers.arithmetic import laws as arithmetic
 from clers.codes import laws as codes
 from clers.complexes import laws as complexes
 from clers.conventions.law import AnyLaw
 from clers.edgebreaker import laws as edgebreaker
 from clers.geometry import laws as geometry
+from clers.information import laws as information
 from clers.operators import laws as operators
 
 CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
     {
+        1: information.LAWS,
+        2: arithmetic.LAWS,
         3: complexes.LAWS,
         4: operators.LAWS,
         5: edgebreaker.LAWS,
