@@ -15,6 +15,7 @@ from clers.conventions.law import AnyLaw
 from clers.edgebreaker import laws as edgebreaker
 from clers.geometry import laws as geometry
 from clers.information import laws as information
+from clers.meshfile import laws as meshfile
 from clers.operators import laws as operators
 
 CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
@@ -26,6 +27,7 @@ CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
         5: edgebreaker.LAWS,
         6: codes.LAWS,
         7: geometry.LAWS,
+        10: meshfile.LAWS,
     }
 )
 

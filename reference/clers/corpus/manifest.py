@@ -12,8 +12,13 @@ from clers.meshfile.faults import unreadable
 from clers.meshfile.reading import contents
 
 SMALL: Final = Path("corpus/meshes/manifest.json")
+"""The meshes that are kept here, small and of every kind. Clause: TOOL-CORPUS-3."""
+
 LARGER: Final = Path("corpus/larger.json")
+"""The meshes that are fetched when wanted. Clause: TOOL-CORPUS-6."""
+
 DIRTY: Final = Path("corpus/meshes/dirty/manifest.json")
+"""The files with faults. Clause: TOOL-CORPUS-4."""
 
 
 class Client(StrEnum):

@@ -5,7 +5,16 @@ from typing import Final
 
 from hypothesis import strategies as st
 
-from clers.generate import complexes, face_lists, relabelled, scripts, solids, streams, surfaces
+from clers.generate import (
+    complexes,
+    face_lists,
+    mesh_files,
+    relabelled,
+    scripts,
+    solids,
+    streams,
+    surfaces,
+)
 
 DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **scripts.DOMAINS,
@@ -15,6 +24,7 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **relabelled.DOMAINS,
     **complexes.DOMAINS,
     **solids.DOMAINS,
+    **mesh_files.DOMAINS,
 }
 
 
