@@ -4,67 +4,19 @@ A script is drawn as short lists of small integers, so that drawing is fast, and
 drops operators and turns the others into the first and simplest of their table.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Final
 
 from hypothesis import strategies as st
 
 from clers.generate.bounds import FIRST, Bounds, Grown, go_on, go_on_within
-from clers.operators.script import (
-    AddEar,
-    AddHandle,
-    AddTetrahedron,
-    Bridge,
-    CloseCurve,
-    CutEdge,
-    FillCorner,
-    FlipEdge,
-    JoinComponents,
-    OpenCurve,
-    Operator,
-    Relabel,
-    RemoveFace,
-    RemoveStar,
-    Script,
-    SplitEdge,
-    SplitFace,
-)
+from clers.generate.kinds import ACT, EVERY, GROW, Kind
+from clers.operators.script import AddHandle, AddTetrahedron, OpenCurve, Operator, Relabel, Script
 
 Choice = tuple[int, int]
-Raw = tuple[int, int, int]
-
-GROW: Final[tuple[Callable[[int, int], Operator], ...]] = (
-    lambda i, _: SplitFace(i),
-    lambda i, _: FlipEdge(i),
-    lambda i, _: FlipEdge(i),
-    lambda i, _: SplitEdge(i),
-)
-
-ACT: Final[tuple[Callable[[int, int], Operator], ...]] = (
-    *GROW,
-    lambda i, _: AddEar(i),
-    lambda i, _: FillCorner(i),
-    lambda i, _: FillCorner(i),
-    lambda i, _: RemoveFace(i),
-    lambda i, _: RemoveStar(i),
-    lambda i, _: OpenCurve(i),
-    lambda i, _: CloseCurve(i),
-    lambda i, _: CutEdge(i),
-    lambda i, _: CutEdge(i),
-    Bridge,
-    Bridge,
-    AddHandle,
-    JoinComponents,
-)
-
-EVERY: Final[tuple[Callable[[int, int], Operator], ...]] = (
-    *ACT,
-    lambda i, _: Relabel(i),
-    lambda _, __: AddTetrahedron(),
-)
 
 CHOICES: Final = st.integers(0, 999)
-PAIRS: Final = st.tuples(CHOICES, CHOICES)
+TWO_CHOICES: Final = st.integers(0, 999_999)  # drawn at once, for speed
 
 
 def any_scripts(max_size: int = 25) -> st.SearchStrategy[Script]:
@@ -107,16 +59,21 @@ def _count(low: int, high: int) -> st.SearchStrategy[int]:
 
 
 def _pairs(count: int) -> st.SearchStrategy[list[Choice]]:
-    return st.lists(PAIRS, min_size=count, max_size=count)
+    return st.lists(TWO_CHOICES.map(_split), min_size=count, max_size=count)
 
 
-def _operators(
-    table: tuple[Callable[[int, int], Operator], ...], faces: int
-) -> st.SearchStrategy[list[Operator]]:
-    """A list of operators of a table, no longer than what may still have an effect."""
-    raw = st.tuples(st.integers(0, len(table) - 1), CHOICES, CHOICES)
-    return st.lists(raw, max_size=min(faces, 40)).map(
-        lambda drawn: [table[kind](first, second) for kind, first, second in drawn]
+def _split(choices: int) -> Choice:
+    return choices % 1000, choices // 1000
+
+
+def _operators(table: tuple[Kind, ...], faces: int) -> st.SearchStrategy[list[Operator]]:
+    """A list of operators of a table; one in three is long, where there is room for it."""
+    raw = st.tuples(st.integers(0, len(table) - 1), TWO_CHOICES)
+    lists = [st.lists(raw, min_size=low, max_size=max(faces // 2, 8)) for low in (0, 0, faces // 8)]
+    return (
+        st.sampled_from(lists)
+        .flatmap(lambda chosen: chosen)
+        .map(lambda drawn: [table[kind](*_split(choices)) for kind, choices in drawn])
     )
 
 

@@ -54,7 +54,7 @@ def spheres(max_faces: int = 120) -> st.SearchStrategy[Surface]:
     return surfaces(max_faces, (0, 0), (0, 0), (1, 1))
 
 
-def small_surfaces(max_faces: int = 24) -> st.SearchStrategy[Surface]:
+def small_surfaces(max_faces: int = 40) -> st.SearchStrategy[Surface]:
     """Surfaces small enough for definitions that try everything."""
     return surfaces(max_faces, (0, 1), (0, 3), (1, 2))
 

@@ -70,12 +70,12 @@ def _tubes(
                     rest = [*one.rest, *two.rest]
                     near = sides(rest)
                     for turn in range(3):
-                        tube = _around(one.inner, two.inner, turn)
+                        tube = tube_around(one.inner, two.inner, turn)
                         if _is_free(of, near, one.inner, two.inner, tube):
                             yield [*rest, *tube], used
 
 
-def _around(a: Triangle, b: Triangle, turn: int) -> list[Triangle]:
+def tube_around(a: Triangle, b: Triangle, turn: int) -> list[Triangle]:
     """Six faces between two triangles: they run a as a face did, and b as a face did."""
     c = [b[(turn - i) % 3] for i in range(3)]
     around = ((0, 1), (1, 2), (2, 0))
