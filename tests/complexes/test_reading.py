@@ -1,0 +1,227 @@
+"""Every rejection by hand: reason, clause, element; their order; and all small face lists."""
+
+from itertools import product
+
+import pytest
+from golden_complexes import (
+    ANNULUS,
+    BAND,
+    BOOK,
+    BOW_TIE,
+    DOUBLE_TORUS,
+    KLEIN_BOTTLE,
+    MOEBIUS_5,
+    OCTAHEDRON,
+    PILLOW,
+    PROJECTIVE_PLANE_6,
+    SQUARE,
+    TETRAHEDRON,
+    TORUS_7,
+    TORUS_9,
+    TRIANGLE,
+    TWO_AT_A_VERTEX,
+    TWO_AT_AN_EDGE,
+    accepted,
+)
+
+from clers.complexes.corner_table import face_list, surface
+from clers.complexes.definition import first_fault, is_coherent_surface
+from clers.complexes.face_list import DEFAULT_LIMITS, FaceList, Limits
+from clers.conventions.clause import Clause
+from clers.conventions.reason import Reason
+from clers.conventions.result import Accepted, Rejected
+from clers.conventions.where import WHOLE, AtEdge, AtFace, AtVertex, Where
+
+EMPTY = FaceList((), 0)
+
+FAULTS: tuple[tuple[str, FaceList, Reason, Clause, Where], ...] = (
+    ("nothing", EMPTY, Reason.EMPTY_MESH, Clause.CPLX_REJECT_1, WHOLE),
+    ("no face", FaceList((), 3), Reason.EMPTY_MESH, Clause.CPLX_REJECT_1, WHOLE),
+    (
+        "an index too high",
+        FaceList(((0, 1, 2), (0, 2, 4)), 4),
+        Reason.INDEX_OUT_OF_RANGE,
+        Clause.CPLX_REJECT_3,
+        AtFace(1),
+    ),
+    (
+        "a negative index, which is no index from the end",
+        FaceList(((0, 1, 2), (0, 2, -1)), 4),
+        Reason.INDEX_OUT_OF_RANGE,
+        Clause.CPLX_REJECT_3,
+        AtFace(1),
+    ),
+    (
+        "fewer than no vertices",
+        FaceList(((0, 1, 2),), -1),
+        Reason.INDEX_OUT_OF_RANGE,
+        Clause.CPLX_REJECT_3,
+        AtFace(0),
+    ),
+    (
+        "one vertex twice in a face, neighbours in it",
+        FaceList(((0, 1, 2), (3, 2, 2)), 4),
+        Reason.REPEATED_INDEX,
+        Clause.CPLX_REJECT_4,
+        AtFace(1),
+    ),
+    (
+        "one vertex twice in a face, first and last",
+        FaceList(((0, 1, 2), (2, 3, 2)), 4),
+        Reason.REPEATED_INDEX,
+        Clause.CPLX_REJECT_4,
+        AtFace(1),
+    ),
+    (
+        "a face given again, rotated",
+        FaceList(((0, 1, 2), (0, 2, 3), (1, 2, 0), (3, 0, 2)), 4),
+        Reason.DUPLICATE_FACE,
+        Clause.CPLX_REJECT_5,
+        AtFace(2),
+    ),
+    ("two sides of one face", PILLOW, Reason.DUPLICATE_FACE, Clause.CPLX_REJECT_5, AtFace(1)),
+    (
+        "a book of three pages",
+        BOOK,
+        Reason.EDGE_WITH_THREE_FACES,
+        Clause.CPLX_REJECT_6,
+        AtEdge(0, 1, 2),
+    ),
+    (
+        "two tetrahedra at an edge",
+        TWO_AT_AN_EDGE,
+        Reason.EDGE_WITH_THREE_FACES,
+        Clause.CPLX_REJECT_6,
+        AtEdge(0, 1, 4),
+    ),
+    (
+        "two faces that disagree",
+        FaceList(((0, 1, 2), (0, 1, 3)), 4),
+        Reason.EDGE_TWICE_IN_ONE_DIRECTION,
+        Clause.CPLX_REJECT_7,
+        AtEdge(0, 1, 1),
+    ),
+    (
+        "a Möbius band: faces 0 and 1 run 1 → 2 both",
+        MOEBIUS_5,
+        Reason.EDGE_TWICE_IN_ONE_DIRECTION,
+        Clause.CPLX_REJECT_7,
+        AtEdge(1, 2, 1),
+    ),
+    (
+        "a projective plane: its faces 0 and 5 run 1 → 2 both",
+        PROJECTIVE_PLANE_6,
+        Reason.EDGE_TWICE_IN_ONE_DIRECTION,
+        Clause.CPLX_REJECT_7,
+        AtEdge(1, 2, 5),
+    ),
+    ("a bow tie", BOW_TIE, Reason.PINCHED_VERTEX, Clause.CPLX_REJECT_8, AtVertex(0)),
+    (
+        "two tetrahedra at a vertex",
+        TWO_AT_A_VERTEX,
+        Reason.PINCHED_VERTEX,
+        Clause.CPLX_REJECT_8,
+        AtVertex(0),
+    ),
+    (
+        "a vertex between the others that no face names",
+        ANNULUS,
+        Reason.ISOLATED_VERTEX,
+        Clause.CPLX_REJECT_9,
+        AtVertex(2),
+    ),
+)
+
+
+@pytest.mark.parametrize(
+    ("given", "reason", "clause", "where"),
+    [fault[1:] for fault in FAULTS],
+    ids=[fault[0] for fault in FAULTS],
+)
+def test_fault_is_named(given: FaceList, reason: Reason, clause: Clause, where: Where) -> None:
+    for answer in (surface(given), first_fault(given)):
+        assert isinstance(answer, Rejected)
+        assert (answer.reason, answer.clause, answer.where) == (reason, clause, where)
+    assert not is_coherent_surface(given)
+
+
+def test_klein_bottle_disagrees() -> None:
+    """Clause: CPLX-REJECT-7. Which edge is another matter: definition and algorithm agree on it."""
+    got, expected = surface(KLEIN_BOTTLE), first_fault(KLEIN_BOTTLE)
+    assert isinstance(got, Rejected)
+    assert isinstance(expected, Rejected)
+    assert got.reason == expected.reason == Reason.EDGE_TWICE_IN_ONE_DIRECTION
+    assert got.where == expected.where
+
+
+@pytest.mark.parametrize(
+    "given",
+    [TRIANGLE, SQUARE, TETRAHEDRON, OCTAHEDRON, BAND, TORUS_7, TORUS_9, DOUBLE_TORUS],
+)
+def test_good_meshes_are_accepted(given: FaceList) -> None:
+    """Clauses: CPLX-INPUT-1, CPLX-INPUT-2, CPLX-INPUT-4."""
+    assert first_fault(given) is None
+    assert is_coherent_surface(given)
+    assert face_list(accepted(given)) == given
+
+
+def test_faults_are_reported_in_the_order_of_their_clauses() -> None:
+    """Clause: CONV-RESULT-5. From step to step a fault is added that goes before those so far."""
+    steps: tuple[tuple[Reason, tuple[tuple[int, int, int], ...]], ...] = (
+        (Reason.ISOLATED_VERTEX, ((0, 1, 2), (0, 2, 3))),
+        (Reason.PINCHED_VERTEX, ((4, 5, 6), (4, 7, 8))),
+        (Reason.EDGE_TWICE_IN_ONE_DIRECTION, ((3, 0, 9),)),
+        (Reason.EDGE_WITH_THREE_FACES, ((0, 3, 10),)),
+        (Reason.DUPLICATE_FACE, ((1, 2, 0),)),
+        (Reason.REPEATED_INDEX, ((1, 1, 2),)),
+        (Reason.INDEX_OUT_OF_RANGE, ((0, 1, 12),)),
+    )
+    mesh: tuple[tuple[int, int, int], ...] = ()
+    for reason, more in steps:
+        mesh += more
+        answer = surface(FaceList(mesh, 12))
+        assert isinstance(answer, Rejected)
+        assert answer.reason == reason
+    few = surface(FaceList(mesh, 12), Limits(len(mesh) - 1, 11))
+    assert isinstance(few, Rejected)
+    assert few.reason == Reason.TOO_MANY_FACES
+
+
+def test_limits() -> None:
+    """Clauses: CPLX-INPUT-3, CPLX-REJECT-2."""
+    assert (DEFAULT_LIMITS.faces, DEFAULT_LIMITS.vertices) == (67108864, 67108864)
+    assert surface(SQUARE, Limits(2, 4)) == surface(SQUARE)
+    faces = surface(SQUARE, Limits(1, 4))
+    assert isinstance(faces, Rejected)
+    assert faces.line() == (
+        "limit: too-many-faces of the whole input [CPLX-REJECT-2]: 2 faces, the limit is 1"
+    )
+    vertices = surface(SQUARE, Limits(2, 3))
+    assert isinstance(vertices, Rejected)
+    assert vertices.reason == Reason.TOO_MANY_VERTICES
+    assert vertices.clause == Clause.CPLX_REJECT_2
+
+
+@pytest.mark.parametrize(("vertices", "surfaces"), [(4, 6), (5, 30 * 6)])
+def test_all_lists_of_four_faces(vertices: int, surfaces: int) -> None:
+    """Clause: CPLX-INPUT-2. Exhaustive but for names: the first face is 0 1 2.
+
+    Four triangles on four vertices are a surface only as a tetrahedron: three others in 3! orders.
+    On five they are a wheel, 5 hubs times 4!/4 oriented rims, or a triangle with a vertex in it and
+    a fourth triangle outside, 5 inner vertices times 4 outer ones times 2 orientations times 3
+    edges. Of these 30 + 120 surfaces each of the 20 oriented triangles is in 4/20, that is in 30.
+    """
+    triangles = [
+        (a, b, c) for a, b, c in product(range(vertices), repeat=3) if a < min(b, c) and b != c
+    ]
+    found = 0
+    for rest in product(triangles, repeat=3):
+        given = FaceList(((0, 1, 2), *rest), vertices)
+        expected, got = first_fault(given), surface(given)
+        if isinstance(got, Accepted):
+            found += 1
+            assert expected is None
+        else:
+            assert expected is not None
+            assert (got.reason, got.where) == (expected.reason, expected.where)
+    assert found == surfaces
