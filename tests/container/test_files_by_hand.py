@@ -1,0 +1,388 @@
+"""Whole files written by hand, and each way in which they are refused."""
+
+from struct import pack
+
+import pytest
+from by_hand import HEAD, MAGIC, TETRAHEDRON, VERSION, WORD, crc, file, section
+
+from clers.codes.registry import CodeName
+from clers.complexes.face_list import Limits
+from clers.container.contents import VERSION as SPEC_VERSION
+from clers.container.file import decode, encode, inspect, options_of
+from clers.container.head import Head, PositionCoding
+from clers.container.limits import DEFAULT_FILE_LIMITS, FileLimits
+from clers.container.options import Exact, InBits, OnLattice, Options, WithinError
+from clers.conventions.clause import Clause
+from clers.conventions.reason import Fault, Reason
+from clers.conventions.result import Accepted, Rejected
+from clers.conventions.where import AtByte
+from clers.edgebreaker.examples import ANNULUS, TORUS
+from clers.edgebreaker.examples import TETRAHEDRON as SURFACE
+from clers.geometry.mesh import Mesh
+from clers.geometry.positions import Positions, Precision
+
+PLAIN = Options(CodeName.PLAIN)
+CORNER = Positions(Precision.F32, (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
+
+
+def test_crc_of_the_catalogue() -> None:
+    """The check value that catalogues of CRCs give for CRC-32. Clause: FILE-SECTION-2."""
+    assert crc(b"123456789") == bytes.fromhex("26 39 f4 cb")
+
+
+def test_the_tetrahedron_is_fifty_bytes() -> None:
+    """FILE-MAGIC-1, FILE-MAGIC-2, FILE-SECTION-1, FILE-HEAD-1, FILE-HEAD-2, FILE-WORD-1."""
+    assert len(TETRAHEDRON) == 8 + 1 + (16 + 7) + (16 + 2)
+    assert encode(SURFACE, None, PLAIN) == Accepted(TETRAHEDRON)
+    found = decode(TETRAHEDRON)
+    assert isinstance(found, Accepted)
+    assert found.value.positions is None
+    assert list(found.value.surface.triangles()) == [(0, 1, 2), (3, 2, 1), (0, 3, 1), (2, 3, 0)]
+
+
+def test_exact_positions() -> None:
+    """Clauses: FILE-HEAD-3, FILE-POSN-1, FILE-OPTION-1, FILE-LAYOUT-4."""
+    one = "00 00 80 3f"
+    zero = "00 00 00 00"
+    places = " ".join((zero, zero, zero, one, zero, zero, zero, one, zero, zero, zero, one))
+    expected = file(("HEAD", "01 02 04 04 00 03 00"), ("WORD", WORD), ("POSN", places))
+    assert encode(SURFACE, CORNER, PLAIN) == Accepted(expected)
+    assert decode(expected) == Accepted(Mesh(_decoded().surface, CORNER))
+    double = Positions(Precision.F64, CORNER.coordinates)
+    doubles = "".join(pack("<d", x).hex() for x in CORNER.coordinates)
+    expected = file(("HEAD", "01 03 04 04 00 03 00"), ("WORD", WORD), ("POSN", doubles))
+    assert encode(SURFACE, double, PLAIN) == Accepted(expected)
+
+
+def test_quantised_positions_of_one_place() -> None:
+    """All at (−3, 2, 0)·2^−1: exponent −1 is 01, lows 05 04 00, extents 00, bits 01 in two.
+
+    Clauses: FILE-POSN-2, FILE-NUMBER-4, FILE-BITS-1.
+    """
+    given = Positions(Precision.F32, (-1.5, 1.0, 0.0) * 4)
+    expected = file(
+        ("HEAD", "01 04 04 04 00 03 00"), ("WORD", WORD), ("POSN", "01 05 04 00 00 00 00 02 40")
+    )
+    assert encode(SURFACE, given, Options(CodeName.PLAIN, OnLattice(-1))) == Accepted(expected)
+    assert decode(expected) == Accepted(Mesh(_decoded().surface, given))
+    assert options_of(expected) == Accepted(Options(CodeName.PLAIN, OnLattice(-1)))
+
+
+@pytest.mark.parametrize("accuracy", [InBits(2), WithinError(0.25), OnLattice(-1)])
+def test_three_ways_to_ask_for_one_lattice(accuracy: InBits | WithinError | OnLattice) -> None:
+    """Clause: FILE-OPTION-1."""
+    expected = encode(SURFACE, CORNER, Options(CodeName.GOLDEN, OnLattice(-1)))
+    assert encode(SURFACE, CORNER, Options(accuracy=accuracy)) == expected
+
+
+def test_defaults() -> None:
+    """Clauses: FILE-OPTION-1, FILE-LIMIT-1."""
+    assert Options() == Options(CodeName.GOLDEN, Exact())
+    assert FileLimits(1 << 31, Limits(1 << 26, 1 << 26)) == DEFAULT_FILE_LIMITS
+
+
+def test_handle_data_of_the_torus() -> None:
+    """(0, 6, right) and (1, 5, right): 0, then 6 folded to 12; 0, then −1 folded to 1.
+
+    Clauses: FILE-HAND-1, FILE-HAND-2.
+    """
+    assert section("HAND", bytes.fromhex("00 0c 00 01")) in _encoded(TORUS)
+
+
+def test_handle_data_of_the_annulus() -> None:
+    """(boundary, 0, 4, right): 2, then 4 folded to 8. Clause: FILE-HAND-2."""
+    assert section("HAND", bytes.fromhex("02 08")) in _encoded(ANNULUS)
+
+
+def _encoded(surface: object) -> bytes:
+    assert surface is TORUS or surface is ANNULUS
+    found = encode(TORUS if surface is TORUS else ANNULUS, None, PLAIN)
+    assert isinstance(found, Accepted)
+    return found.value
+
+
+def _decoded() -> Mesh:
+    found = decode(TETRAHEDRON)
+    assert isinstance(found, Accepted)
+    return found.value
+
+
+def test_inspection() -> None:
+    """Clause: FILE-INSPECT-1."""
+    found = inspect(TETRAHEDRON)
+    assert isinstance(found, Accepted)
+    assert found.value.version == SPEC_VERSION == 1
+    assert found.value.head == Head(CodeName.PLAIN, PositionCoding.NONE, 4, 4, 0, 3, 0)
+    places = [(s.tag, s.start, s.stop) for s in found.value.sections]
+    assert places == [("HEAD", 21, 28), ("WORD", 44, 46)]
+
+
+MALFORMED = {
+    "empty": (b"", Reason.TRUNCATED_FILE, Clause.FILE_LAYOUT_3, AtByte(0)),
+    "bad-magic": (b"\x88" + TETRAHEDRON[1:], Reason.BAD_MAGIC, Clause.FILE_MAGIC_1, AtByte(0)),
+    "magic-alone": (MAGIC, Reason.TRUNCATED_FILE, Clause.FILE_LAYOUT_3, AtByte(8)),
+    "no-section": (MAGIC + VERSION, Reason.BAD_SECTION, Clause.FILE_SECTION_5, AtByte(9)),
+    "header-seal": (
+        TETRAHEDRON[:17] + b"\0" + TETRAHEDRON[18:],
+        Reason.BAD_CHECKSUM,
+        Clause.FILE_SECTION_2,
+        AtByte(17),
+    ),
+    "payload-seal": (
+        TETRAHEDRON[:-1] + b"\0",
+        Reason.BAD_CHECKSUM,
+        Clause.FILE_SECTION_2,
+        AtByte(46, "WORD"),
+    ),
+    "half-a-header": (
+        TETRAHEDRON + section("POSN", b"")[:10],
+        Reason.TRUNCATED_FILE,
+        Clause.FILE_LAYOUT_3,
+        AtByte(58),
+    ),
+    "half-a-payload": (
+        TETRAHEDRON[:45],
+        Reason.TRUNCATED_FILE,
+        Clause.FILE_LAYOUT_3,
+        AtByte(44, "WORD"),
+    ),
+    "section-twice": (
+        file(("HEAD", HEAD), ("HEAD", HEAD), ("WORD", WORD)),
+        Reason.BAD_SECTION,
+        Clause.FILE_SECTION_4,
+        AtByte(32),
+    ),
+    "section-late": (
+        file(("WORD", WORD), ("HEAD", HEAD)),
+        Reason.BAD_SECTION,
+        Clause.FILE_SECTION_4,
+        AtByte(27),
+    ),
+    "no-word": (file(("HEAD", HEAD)), Reason.BAD_SECTION, Clause.FILE_SECTION_5, AtByte(32)),
+    "hand-not-asked-for": (
+        file(("HEAD", HEAD), ("HAND", ""), ("WORD", WORD)),
+        Reason.BAD_SECTION,
+        Clause.FILE_SECTION_5,
+        AtByte(66),
+    ),
+    "head-too-long": (
+        file(("HEAD", HEAD + "00"), ("WORD", WORD)),
+        Reason.TRAILING_BYTES,
+        Clause.FILE_LAYOUT_2,
+        AtByte(28, "HEAD"),
+    ),
+    "head-too-short": (
+        file(("HEAD", HEAD[:-3]), ("WORD", WORD)),
+        Reason.IMPOSSIBLE_COUNT,
+        Clause.FILE_COUNT_1,
+        AtByte(23, "HEAD"),
+    ),
+    "number-cut": (
+        file(("HEAD", "01 01 04 04 00 03 80"), ("WORD", WORD)),
+        Reason.TRUNCATED_FILE,
+        Clause.FILE_LAYOUT_3,
+        AtByte(28, "HEAD"),
+    ),
+    "number-not-shortest": (
+        file(("HEAD", "01 01 84 00 04 00 03 00"), ("WORD", WORD)),
+        Reason.BAD_NUMBER,
+        Clause.FILE_NUMBER_3,
+        AtByte(23, "HEAD"),
+    ),
+    "number-too-large": (
+        file(("HEAD", "01 01 04 80 80 80 80 10 00 03 00"), ("WORD", WORD)),
+        Reason.BAD_NUMBER,
+        Clause.FILE_NUMBER_3,
+        AtByte(24, "HEAD"),
+    ),
+    "more-symbols-than-bits": (
+        file(("HEAD", "01 01 04 04 00 08 00"), ("WORD", WORD)),
+        Reason.IMPOSSIBLE_COUNT,
+        Clause.FILE_COUNT_2,
+        AtByte(44, "WORD"),
+    ),
+    "more-records-than-bytes": (
+        file(("HEAD", "01 01 04 04 00 03 02"), ("HAND", "00 00 00"), ("WORD", WORD)),
+        Reason.IMPOSSIBLE_COUNT,
+        Clause.FILE_COUNT_1,
+        AtByte(44, "HAND"),
+    ),
+    "record-before-the-first-symbol": (
+        file(("HEAD", "01 01 04 04 00 03 01"), ("HAND", "00 01"), ("WORD", WORD)),
+        Reason.BAD_NUMBER,
+        Clause.FILE_HAND_3,
+        AtByte(44, "HAND"),
+    ),
+    "record-far-away": (
+        file(
+            ("HEAD", "01 01 04 04 00 03 02"),
+            ("HAND", "fc ff ff ff 3f 00 00 00"),
+            ("WORD", WORD),
+        ),
+        Reason.BAD_NUMBER,
+        Clause.FILE_HAND_3,
+        AtByte(44, "HAND"),
+    ),
+    "bits-not-filled-with-zeros": (
+        file(("HEAD", HEAD), ("WORD", "06 bd")),
+        Reason.TRAILING_BITS,
+        Clause.ARITH_BITS_3,
+        AtByte(44, "WORD"),
+    ),
+    "bits-missing": (
+        file(("HEAD", HEAD), ("WORD", "09 bc")),
+        Reason.TRUNCATED_FILE,
+        Clause.FILE_LAYOUT_3,
+        AtByte(45, "WORD"),
+    ),
+    "bytes-after-the-bits": (
+        file(("HEAD", HEAD), ("WORD", WORD + "00")),
+        Reason.TRAILING_BYTES,
+        Clause.FILE_LAYOUT_2,
+        AtByte(46, "WORD"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MALFORMED)
+def test_malformed(name: str) -> None:
+    """The reason, clause and byte of each; all of class `malformed`.
+
+    Clauses: FILE-PARSE-1, FILE-SECTION-4, FILE-SECTION-5, FILE-COUNT-1, FILE-COUNT-2,
+    FILE-HAND-3, FILE-BITS-1, FILE-NUMBER-1.
+    """
+    data, reason, clause, where = MALFORMED[name]
+    found = decode(data)
+    assert isinstance(found, Rejected)
+    assert (found.reason, found.clause, found.where) == (reason, clause, where)
+    assert found.fault is Fault.MALFORMED
+
+
+UNSUPPORTED = {
+    "version": (
+        MAGIC + b"\x02" + TETRAHEDRON[9:],
+        Reason.UNKNOWN_VERSION,
+        Clause.FILE_MAGIC_2,
+        AtByte(8),
+    ),
+    "section": (
+        TETRAHEDRON + section("TEXT", b"hello"),
+        Reason.UNKNOWN_SECTION,
+        Clause.FILE_SECTION_3,
+        AtByte(50),
+    ),
+    "code": (
+        file(("HEAD", "03 01 04 04 00 03 00"), ("WORD", WORD)),
+        Reason.UNKNOWN_CODE,
+        Clause.FILE_NUMBER_5,
+        AtByte(21, "HEAD"),
+    ),
+    "code-0": (
+        file(("HEAD", "00 01 04 04 00 03 00"), ("WORD", WORD)),
+        Reason.UNKNOWN_CODE,
+        Clause.FILE_NUMBER_5,
+        AtByte(21, "HEAD"),
+    ),
+    "position-coding": (
+        file(("HEAD", "01 05 04 04 00 03 00"), ("WORD", WORD)),
+        Reason.UNKNOWN_CODE,
+        Clause.FILE_NUMBER_5,
+        AtByte(22, "HEAD"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", UNSUPPORTED)
+def test_unsupported(name: str) -> None:
+    """Clauses: FILE-MAGIC-2, FILE-SECTION-3, FILE-NUMBER-5."""
+    data, reason, clause, where = UNSUPPORTED[name]
+    found = decode(data)
+    assert isinstance(found, Rejected)
+    assert (found.reason, found.clause, found.where) == (reason, clause, where)
+    assert found.fault is Fault.UNSUPPORTED
+
+
+INVALID = {
+    "faces": (file(("HEAD", "01 01 05 04 00 03 00"), ("WORD", WORD)), Clause.FILE_COUNT_3),
+    "vertices": (file(("HEAD", "01 01 04 05 00 03 00"), ("WORD", WORD)), Clause.FILE_COUNT_3),
+    "positions": (
+        file(("HEAD", "01 02 04 04 00 03 00"), ("WORD", WORD), ("POSN", "00" * 36)),
+        Clause.GEOM_EXACT_2,
+    ),
+    "not-finite": (
+        file(("HEAD", "01 02 04 04 00 03 00"), ("WORD", WORD), ("POSN", "00" * 44 + "0000807f")),
+        Clause.GEOM_POSITION_3,
+    ),
+    "exponent": (
+        file(
+            ("HEAD", "01 04 04 04 00 03 00"),
+            ("WORD", WORD),
+            ("POSN", "98 0f 00 00 00 00 00 00 02 40"),
+        ),
+        Clause.GEOM_LATTICE_1,
+    ),
+    "unfinished-word": (
+        file(("HEAD", "01 01 02 04 01 02 00"), ("WORD", "06 b4")),
+        Clause.EB_GRAMMAR_3,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", INVALID)
+def test_invalid(name: str) -> None:
+    """Clauses: FILE-COUNT-3, FILE-POSN-1, FILE-POSN-2, GEOM-POSITION-3."""
+    data, clause = INVALID[name]
+    found = decode(data)
+    assert isinstance(found, Rejected)
+    assert found.clause is clause
+    assert found.fault is Fault.INVALID
+
+
+def test_limits() -> None:
+    """Exactly the size is accepted, one less is not. Clauses: FILE-LIMIT-1, FILE-LIMIT-2."""
+
+    def reason(size: int, faces: int, vertices: int) -> Reason | None:
+        found = decode(TETRAHEDRON, FileLimits(size, Limits(faces, vertices)))
+        return found.reason if isinstance(found, Rejected) else None
+
+    assert reason(50, 4, 4) is None
+    assert reason(49, 4, 4) is Reason.TOO_MANY_BYTES
+    assert reason(50, 3, 4) is Reason.TOO_MANY_FACES
+    assert reason(50, 4, 3) is Reason.TOO_MANY_VERTICES
+    assert {r.fault for r in (Reason.TOO_MANY_BYTES, Reason.TOO_MANY_FACES)} == {Fault.LIMIT}
+
+
+def test_more_symbols_than_the_limit() -> None:
+    """Clause: FILE-LIMIT-2."""
+    data = file(("HEAD", "01 01 04 04 00 05 00"), ("WORD", WORD))
+    found = decode(data, FileLimits(1000, Limits(4, 4)))
+    assert isinstance(found, Rejected)
+    assert (found.reason, found.clause) == (Reason.TOO_MANY_FACES, Clause.FILE_LIMIT_2)
+
+
+def test_positions_for_another_surface_are_not_written() -> None:
+    """Clauses: GEOM-MESH-1, CONV-RESULT-1."""
+    found = encode(SURFACE, Positions(Precision.F64, (0.0, 0.0, 0.0)))
+    assert isinstance(found, Rejected)
+    assert found.reason is Reason.COUNT_MISMATCH
+
+
+@pytest.mark.parametrize("place", range(len(TETRAHEDRON)))
+def test_every_change_of_one_byte_is_seen(place: int) -> None:
+    """All 255 of them. Clause: FILE-DAMAGE-1."""
+    faults = set()
+    for change in range(1, 256):
+        data = bytearray(TETRAHEDRON)
+        data[place] ^= change
+        found = decode(bytes(data))
+        assert isinstance(found, Rejected)
+        faults.add(found.fault)
+    assert faults == {Fault.UNSUPPORTED if place == 8 else Fault.MALFORMED}
+
+
+def test_every_beginning_of_a_file_is_refused() -> None:
+    """Clause: FILE-DAMAGE-2."""
+    for size in range(len(TETRAHEDRON)):
+        found = decode(TETRAHEDRON[:size])
+        assert isinstance(found, Rejected)
+        assert found.fault is Fault.MALFORMED
