@@ -13,6 +13,7 @@ from clers.arithmetic.steps import HALF, QUARTER, TOP, State
 from clers.conventions.result import Rejected
 from clers.generate.models import (
     ENDLESS,
+    MIDDLE_TABLES,
     MODELS,
     SMALL_MODELS,
     TABLES,
@@ -31,7 +32,7 @@ from clers.information.given import (
     Small,
     Table,
 )
-from clers.information.model import MAXIMUM_TOTAL, Model
+from clers.information.model import MAXIMUM_TOTAL, Model, cumulative
 from clers.information.static import Static
 
 PICKS: Final = st.one_of(
@@ -67,7 +68,17 @@ def _messages(models: st.SearchStrategy[Model]) -> st.SearchStrategy[Message]:
     return st.builds(lambda model, picks: Message(model, _walk(model, picks)), models, PICKS)
 
 
-MESSAGES: Final = _messages(MODELS)
+STRADDLING: Final = st.builds(
+    lambda row, count, rest: Message(
+        Static(cumulative(row)), (1,) * count + tuple(pick % 3 for pick in rest)
+    ),
+    MIDDLE_TABLES,
+    st.integers(0, 150),
+    st.lists(st.integers(0, 2), max_size=5),
+)
+"""Runs of a symbol that lies about the middle: all its bits stay pending until the run ends."""
+
+MESSAGES: Final = st.one_of(_messages(MODELS), _messages(ENDLESS), STRADDLING)
 
 TOO_LARGE: Final[Model] = Static((0, 1, MAXIMUM_TOTAL + 1))
 

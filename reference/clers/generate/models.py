@@ -9,7 +9,7 @@ from clers.information.adaptive import Adaptive
 from clers.information.automaton import Automaton, contexts
 from clers.information.combined import Contexts, Refined, Turns, Until, followed, raw, times
 from clers.information.model import MAXIMUM_TOTAL, Model, cumulative
-from clers.information.static import Static
+from clers.information.static import END, Static
 
 Frequencies = tuple[int, ...]
 
@@ -101,7 +101,7 @@ def _combined(draw: st.DrawFn) -> Model:
     return draw(made)
 
 
-MODELS: Final[st.SearchStrategy[Model]] = st.one_of(ENDLESS, _combined())
+MODELS: Final[st.SearchStrategy[Model]] = st.one_of(ENDLESS, _combined(), st.just(END))
 
 SMALL_MODELS: Final[st.SearchStrategy[Model]] = st.one_of(
     st.lists(st.integers(0, 5), min_size=1, max_size=3)
