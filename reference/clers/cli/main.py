@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from clers import SPEC_VERSION, __version__
-from clers.cli import laws, spec
+from clers.cli import bench, corpus, laws, meshes, repairs, roundtrip, schema, spec, walks
 from clers.cli.output import Exit, line, note
 
 app = typer.Typer(
@@ -21,6 +21,16 @@ app = typer.Typer(
 )
 
 # Here a command joins: one line.
+app.command()(meshes.encode)
+app.command()(meshes.decode)
+app.command()(meshes.info)
+app.command()(roundtrip.roundtrip)
+app.command()(repairs.repair)
+app.command()(walks.word)
+app.command()(walks.trace)
+app.command()(schema.schema)
+app.add_typer(bench.app, name="bench")
+app.add_typer(corpus.app, name="corpus")
 app.add_typer(laws.app, name="laws")
 app.add_typer(spec.app, name="spec")
 

@@ -83,5 +83,6 @@ class Reason(StrEnum):
     UNREADABLE_FILE = "unreadable-file", Fault.MALFORMED
     UNKNOWN_FORMAT = "unknown-format", Fault.UNSUPPORTED
     NOT_TRIANGLES = "not-triangles", Fault.UNSUPPORTED
+    CAME_BACK_CHANGED = "came-back-changed", Fault.INVALID
     UNWRITABLE_FILE = "unwritable-file", Fault.INVALID
     NOT_OBTAINABLE = "not-obtainable", Fault.UNSUPPORTED
