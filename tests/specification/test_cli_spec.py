@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 
 from clers.cli.main import app
 from clers.specification.clause_module import replace_file
+from clers.specification.lock import write_lock
 
 BOXES = "spec/01-boxes.md"
 CLAUSE_PY = "reference/clers/conventions/clause.py"
@@ -57,6 +58,7 @@ def test_no_repository_is_wrong_usage(tmp_path: Path) -> None:
     """Clause: TOOL-EXIT-1."""
     assert call(tmp_path, "check") == (2, "")
     assert call(tmp_path / "none", "check") == (2, "")
+    assert call(write(tmp_path) / "reference", "check") == (2, "")
 
 
 def test_generate(tmp_path: Path) -> None:
@@ -66,6 +68,7 @@ def test_generate(tmp_path: Path) -> None:
     assert (tmp_path / CLAUSE_PY).read_text() == "stale\n"
     assert call(tmp_path, "generate") == (0, f"{CLAUSE_PY}: 4 clauses, written\n")
     assert (tmp_path / CLAUSE_PY).read_text() == FILES[CLAUSE_PY]
+    assert (tmp_path / CLAUSE_PY).stat().st_mode & 0o777 == 0o644
     assert call(tmp_path, "generate", "--check") == (0, f"{CLAUSE_PY}: 4 clauses, unchanged\n")
 
 
@@ -91,6 +94,30 @@ def test_lock_writes_the_named_clauses(tmp_path: Path) -> None:
         "  test   tests/test_toys.py:9 (test_lid)",
         "  note   proofs_notes/lids.md:3",
     ]
+
+
+def test_lock_is_sorted_by_number() -> None:
+    """So that a change of one clause is a change of one line. Clause: CONV-CLAUSE-4."""
+    written = write_lock({"BOX-LID-10": "a", "TOY-RULE-1": "b", "BOX-LID-9": "c", "": "d"})
+    assert list(json.loads(written)) == ["", "BOX-LID-9", "BOX-LID-10", "TOY-RULE-1"]
+    assert len(written.splitlines()) == 6
+
+
+def test_a_spoilt_lock_is_no_lock(tmp_path: Path) -> None:
+    """Clause: CONV-CLAUSE-4."""
+    write(tmp_path, {**FILES, LOCK: "<<<<<<< ours\n"})
+    assert call(tmp_path, "check")[1].count("[not-locked]") == 4
+
+
+def test_example_says_what_it_got(tmp_path: Path) -> None:
+    """Clause: CONV-PROSE-2."""
+    for new, told in [
+        ("+ 1\n4", "lids + 1 expected: 4 got: 3"),
+        ("+ 1", "lids + 1 expected nothing got: 3"),
+        ("/ 0\n3", "lids / 0 raised ZeroDivisionError: division by zero"),
+    ]:
+        said = call(write(tmp_path, edited((BOXES, "+ 1\n3", new))), "check")[1]
+        assert said.splitlines()[0] == f"{BOXES}:16: {told} [example]"
 
 
 def test_lock_all(tmp_path: Path) -> None:

@@ -31,9 +31,17 @@ def _run(page: Page) -> Iterator[Finding]:
             runner.run(one, out=said.append, clear_globs=False)
             names = one.globs
             if said:
-                got = "".join(said).partition("Expected")[2] or "".join(said)
-                text = f"{example.source.strip()} expected {' '.join(got.split())}"
+                text = f"{example.source.strip()} {_told(''.join(said))}"
                 yield Finding("example", page.path, fence.line + example.lineno, "", text)
+
+
+def _told(report: str) -> str:
+    """What doctest reports of an example, in a few words: expected and got, or what it raised."""
+    words = report.strip()
+    if "\nException raised:" in words:
+        return "raised " + words.splitlines()[-1].strip()
+    of_output = " ".join(words[words.rfind("\nExpected") :].split())
+    return of_output.replace("Expected", "expected", 1).replace("Got", "got", 1)
 
 
 def as_shown(of: Repository) -> Iterator[Finding]:
