@@ -10,7 +10,9 @@ from clers.complexes.face_list import Limits
 from clers.container.contents import VERSION as SPEC_VERSION
 from clers.container.file import decode, encode, inspect, options_of
 from clers.container.head import Head, PositionCoding
+from clers.container.layout import Window, read, write
 from clers.container.limits import DEFAULT_FILE_LIMITS, FileLimits
+from clers.container.numbers import U8, U32
 from clers.container.options import Exact, InBits, OnLattice, Options, WithinError
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Fault, Reason
@@ -79,6 +81,13 @@ def test_defaults() -> None:
     """Clauses: FILE-OPTION-1, FILE-LIMIT-1."""
     assert Options() == Options(CodeName.GOLDEN, Exact())
     assert FileLimits(1 << 31, Limits(1 << 26, 1 << 26)) == DEFAULT_FILE_LIMITS
+
+
+def test_numbers_of_fixed_width() -> None:
+    """Clause: FILE-NUMBER-2."""
+    assert write(U32, 0x01020304) == bytes((4, 3, 2, 1))
+    assert read(U32, Window(bytes((4, 3, 2, 1)), 4)) == Accepted(0x01020304)
+    assert write(U8, 255) == b"\xff"
 
 
 def test_handle_data_of_the_torus() -> None:

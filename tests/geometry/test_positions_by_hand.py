@@ -1,6 +1,8 @@
 """Positions, lattice and prediction on examples worked out by hand."""
 
+from fractions import Fraction
 from math import inf, nan, nextafter
+from typing import Final
 
 import pytest
 
@@ -40,6 +42,10 @@ def accepted_surface(*faces: tuple[int, int, int]) -> Surface:
     built = surface(FaceList(faces, 1 + max(map(max, faces))))
     assert isinstance(built, Accepted), built
     return built.value
+
+
+CREATED_TETRAHEDRON: Final = accepted_surface((0, 1, 2), (3, 2, 1), (0, 3, 1), (2, 3, 0))
+"""The tetrahedron in the order of creation."""
 
 
 @pytest.mark.parametrize("stranger", [inf, -inf, nan])
@@ -206,8 +212,7 @@ def test_predictions_stay_in_the_box() -> None:
 
 def test_tetrahedron_predicts_its_last_vertex() -> None:
     """Vertex 3 lies across the edge from 2 to 1, opposite to 0. Clause: GEOM-PREDICT-4."""
-    corners = parallelogram_corners(accepted_surface((0, 1, 2), (3, 2, 1), (0, 3, 1), (2, 3, 0)))
-    assert corners == (NONE, NONE, NONE, 3)
+    assert parallelogram_corners(CREATED_TETRAHEDRON) == (NONE, NONE, NONE, 3)
 
 
 def test_folded_residuals_count_up() -> None:
@@ -233,6 +238,33 @@ def test_one_triangle_of_two_places() -> None:
     assert low <= int(digits, 2) / 2 ** len(digits) < low + 9 / (3 * 11 * 2 * 19)
     assert len(digits) <= 10  # −log₂ 0.007177 = 7.12, and at most two more
     assert quantised.decode(TRIANGLE, coded.value) == Accepted(given)
+
+
+def test_four_corners() -> None:
+    """The points (0,0,0), (2,0,0), (0,2,0), (0,0,2): four classes on each axis.
+
+    Vertices 0 to 2 are predicted at the one before, with residuals 000, 200, −220; vertex 3 at
+    1 + 2 − 0 = (2,2,0), with residuals −2 −2 2. Folded, 2 is 4: class 3, rest 00; −2 is 3: class 2,
+    rest 1. The slots below follow vertex by vertex, x, y, z, each class before its rest.
+    Clauses: GEOM-PREDICT-2, GEOM-CODE-1, GEOM-CODE-2, GEOM-CODE-3, GEOM-CODE-4.
+    """
+    slots = [
+        *((0, 1, 4), (0, 1, 4), (0, 1, 4)),
+        *((11, 12, 12), (0, 1, 4), (0, 9, 12), (0, 9, 12)),
+        *((10, 11, 20), (1, 2, 2), (19, 20, 20), (0, 1, 4), (0, 17, 20)),
+        *((2, 3, 4), (1, 2, 2), (2, 3, 4), (1, 2, 2), (3, 4, 4), (0, 1, 4)),
+    ]
+    low, width = Fraction(0), Fraction(1)
+    for below, upto, total in slots:
+        low += width * below / total
+        width *= Fraction(upto - below, total)
+    corner = Quantised(0, (0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2))
+    coded = quantised.encode(CREATED_TETRAHEDRON, corner)
+    assert isinstance(coded, Accepted)
+    bits = coded.value.bits
+    number = Fraction(int(bits.digits(), 2), 2**bits.length)
+    assert low <= number < number + Fraction(1, 2**bits.length) <= low + width
+    assert 2**bits.length * width < 8  # two bits more than the information content, rounded up
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,10 @@ LONGEST: Final = (1 << 32) - 1
 
 
 def sealed(inner: Layout[A]) -> Layout[A]:
-    """A layout and the CRC-32 of its bytes, checked once they are read. Clause: FILE-SECTION-2."""
+    """A layout and the CRC-32 of its bytes, checked once they are read.
+
+    Clauses: FILE-SECTION-2, FILE-DAMAGE-1, FILE-DAMAGE-2.
+    """
 
     def write_sealed(value: A) -> bytes:
         data = inner.write(value)

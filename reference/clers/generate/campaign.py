@@ -33,7 +33,7 @@ BYTES_OF_MEMORY: Final = 4096
 ALLOWANCE: Final = 1 << 18
 """For what any reader needs, in bytes."""
 
-MEASURED: Final = 10
+MEASURED: Final = 50
 """One file in so many has its memory measured, which is slow."""
 
 

@@ -30,7 +30,10 @@ class Quantised:
 
 
 def quantise(given: Positions, exponent: int) -> Accepted[Quantised] | Rejected:
-    """The nearest lattice point of each position. Clauses: GEOM-LATTICE-1 … GEOM-LATTICE-3."""
+    """The nearest lattice point of each position, half a step away at most.
+
+    Clauses: GEOM-LATTICE-1 … GEOM-LATTICE-3, GEOM-LATTICE-6, GEOM-LATTICE-7.
+    """
     if not LOWEST_EXPONENT <= exponent <= HIGHEST_EXPONENT:
         detail = f"exponent {exponent}"
         return Rejected(Reason.BAD_LATTICE, Clause.GEOM_LATTICE_1, detail=detail)

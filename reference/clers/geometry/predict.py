@@ -17,7 +17,7 @@ NONE: Final = Corner(-1)
 def parallelogram_corners(surface: Surface) -> tuple[Corner, ...]:
     """For each vertex the corner whose parallelogram predicts it, or NONE. Linear.
 
-    Clause: GEOM-PREDICT-1.
+    Clauses: GEOM-PREDICT-1, GEOM-PREDICT-4.
     """
     vertex, opposite = surface.vertex, surface.opposite
     found = [NONE] * surface.vertices
