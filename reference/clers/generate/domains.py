@@ -8,7 +8,10 @@ from hypothesis import strategies as st
 from clers.generate import (
     complexes,
     face_lists,
+    files,
+    handles,
     mesh_files,
+    meshes,
     relabelled,
     scripts,
     solids,
@@ -25,6 +28,9 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **complexes.DOMAINS,
     **solids.DOMAINS,
     **mesh_files.DOMAINS,
+    **meshes.DOMAINS,
+    **files.DOMAINS,
+    **handles.DOMAINS,
 }
 
 
