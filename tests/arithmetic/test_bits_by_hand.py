@@ -37,7 +37,7 @@ def test_empty_message() -> None:
 
 
 def test_coin() -> None:
-    """ARITH-SHIFT-2: each toss is a bit; then the ending of an untouched state."""
+    """ARITH-SHIFT-2, ARITH-BITS-1: each toss is a bit; then the ending of an untouched state."""
     assert digits_of(COIN, 1, 0, 1, 1) == "1011" + "01"
 
 
@@ -60,13 +60,16 @@ def test_pending_bits(count: int) -> None:
 
 
 def test_ending_in_the_upper_half() -> None:
-    """ARITH-END-1. [1/4, 1) keeps the state at low = 2^30, so the third quarter is named."""
-    assert digits_of(Static(cumulative((1, 3))), 1) == "10"
-    assert digits_of(Static(cumulative((1, 3))), 0) == "00" + "01"
+    """ARITH-END-1, ARITH-STRICT-4. [1/4, 1) has low = 2^30, so the third quarter is named."""
+    model = Static(cumulative((1, 3)))
+    assert digits_of(model, 1) == "10"
+    assert digits_of(model, 0) == "00" + "01"
+    assert coder.decode(model, bits("10"), 1) == Accepted((1,))
+    assert isinstance(coder.decode(model, bits("01"), 1), Rejected)  # in the interval as well
 
 
 def test_zeros_follow_the_bits() -> None:
-    """ARITH-DECODE-1, ARITH-DECODE-4: the bits 1 say 1, 0, 0; the code of that is 10001."""
+    """ARITH-DECODE-1, ARITH-DECODE-2, ARITH-DECODE-4: 1 says 1, 0, 0, coded 10001."""
     assert coder.read(COIN, bits("1"), 3) == Accepted(Reading((1, 0, 0), 5, canonical=False))
 
 
@@ -146,7 +149,7 @@ def test_bytes_that_do_not_fit(data: bytes, length: int, reason: Reason, where: 
 
 
 def test_why_totals_end_at_a_quarter() -> None:
-    """INFO-MODEL-2, ARITH-NARROW-2, ARITH-STATE-2: the narrowest settled state and its first slot.
+    """INFO-MODEL-2, ARITH-STATE-1, ARITH-NARROW-2: the narrowest settled state and its first slot.
 
     It has 2^30 + 2 integers: enough for a total of 2^30 + 2, and not for one more.
     """

@@ -20,7 +20,8 @@ _THREE_QUARTERS: Final = 3 * QUARTER
 def encode(model: Model, symbols: Sequence[int]) -> Accepted[Bits] | Rejected:
     """The bits of a message, linear in symbols and bits.
 
-    Clauses: ARITH-ENCODE-1, ARITH-SHIFT-2, ARITH-END-1; rejections by INFO-MODEL-5, INFO-MODEL-6.
+    Clauses: ARITH-ENCODE-1, ARITH-SHIFT-2, ARITH-END-1, ARITH-END-2; for the length ARITH-LENGTH-1,
+    ARITH-LENGTH-2, ARITH-LENGTH-3; rejections by INFO-MODEL-5, INFO-MODEL-6.
     """
     out = bytearray()  # one bit in each byte
     low, high, pending = 0, TOP, 0

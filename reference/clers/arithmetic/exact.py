@@ -29,7 +29,7 @@ class Interval:
         return self.low + self.width
 
     def part(self, slot: Slot) -> "Interval":
-        """The part that belongs to a slot of a table. Clause: ARITH-EXACT-1."""
+        """The part that belongs to a slot of a table. Clauses: ARITH-EXACT-1, ARITH-EXACT-4."""
         unit = self.width / slot.total
         return Interval(self.low + unit * slot.below, unit * slot.frequency)
 
@@ -61,7 +61,10 @@ def encode(model: Model, symbols: Sequence[int]) -> Accepted[Bits] | Rejected:
 
 
 def shortest(target: Interval) -> Bits:
-    """The shortest, then least, bits whose dyadic interval lies inside. Clause: ARITH-EXACT-2."""
+    """The shortest, then least, bits whose dyadic interval lies inside.
+
+    Clauses: ARITH-EXACT-2, ARITH-EXACT-5.
+    """
     # A dyadic interval no wider than the target: length with 2^-length ≤ width.
     length = (ceil(1 / target.width) - 1).bit_length()
     while True:

@@ -31,7 +31,7 @@ class State:
 
 
 def narrow(state: State, slot: Slot) -> State:
-    """The part of the interval that belongs to a slot. Clause: ARITH-NARROW-1."""
+    """The part of the interval that belongs to a slot. Clauses: ARITH-NARROW-1, ARITH-NARROW-2."""
     below = state.width * slot.below // slot.total
     upto = state.width * slot.upto // slot.total
     return State(state.low + below, state.low + upto - 1)
@@ -40,7 +40,7 @@ def narrow(state: State, slot: Slot) -> State:
 def offset(state: State) -> int | None:
     """What a shift takes away before it doubles; None if the state is settled.
 
-    Clause: ARITH-SHIFT-1.
+    Clauses: ARITH-SHIFT-1, ARITH-STATE-2.
     """
     if state.high < HALF:
         return 0

@@ -9,7 +9,7 @@ from clers.information.model import Model, slots
 
 
 def probability(model: Model, symbols: Sequence[int]) -> Accepted[Fraction] | Rejected:
-    """The exact probability of a message under a model. Clause: INFO-CONTENT-1."""
+    """The exact probability of a message under a model. Clauses: INFO-CONTENT-1, INFO-CONTENT-3."""
     found = slots(model, symbols)
     if isinstance(found, Rejected):
         return found
@@ -31,6 +31,9 @@ def bits(chance: Fraction) -> float:
 
 
 def entropy(frequencies: Sequence[int]) -> float:
-    """The entropy of a table in bits a symbol; 0 of an empty one. Clause: INFO-ENTROPY-1."""
+    """The entropy of a table in bits a symbol; 0 of an empty one.
+
+    Clauses: INFO-ENTROPY-1 … INFO-ENTROPY-4 (-2, -3 and -4 follow from -1).
+    """
     total = sum(frequencies)
     return fsum(f / total * (log2(total) - log2(f)) for f in frequencies if f > 0)
