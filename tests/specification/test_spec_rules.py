@@ -338,7 +338,7 @@ def test_example(old: str, new: str, line: int, tmp_path: Path) -> None:
     assert {fault[0] for fault in faults} == {"example"}
 
 
-def test_examples_of_a_page_are_one_session(tmp_path: Path) -> None:
+def test_examples_of_a_page_are_run_together(tmp_path: Path) -> None:
     """Clause: CONV-PROSE-2."""
     more = "```python\n>>> lids\n2\n```\n"
     assert found(write(tmp_path, {**FILES, BOXES: FILES[BOXES] + more})) == []

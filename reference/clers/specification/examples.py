@@ -1,4 +1,4 @@
-"""The rule on examples: an interpreter session in a page is what happens. Clause: CONV-PROSE-2."""
+"""The rule on examples: what a page shows of the interpreter happens. Clause: CONV-PROSE-2."""
 
 import doctest
 from collections.abc import Iterator
@@ -8,18 +8,18 @@ from clers.specification.markdown import Fence, Page, fences
 from clers.specification.repository import Repository
 
 
-def sessions(page: Page) -> tuple[Fence, ...]:
-    """The `python` fences that show an interpreter session."""
+def transcripts(page: Page) -> tuple[Fence, ...]:
+    """The `python` fences that show the interpreter at work."""
     return tuple(
         fence for fence in fences(page) if fence.language == "python" and ">>>" in fence.content
     )
 
 
 def _run(page: Page) -> Iterator[Finding]:
-    """One page's sessions, in order, in one namespace."""
+    """One page's transcripts, in order, in one namespace."""
     parser, runner = doctest.DocTestParser(), doctest.DocTestRunner(verbose=False)
     names: dict[str, object] = {"__name__": page.path}
-    for fence in sessions(page):
+    for fence in transcripts(page):
         try:
             examples = parser.get_examples(fence.content)
         except ValueError as error:
