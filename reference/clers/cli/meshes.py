@@ -1,4 +1,7 @@
-"""`clers encode`, `decode` and `info`: meshes to files and back, and what is in them."""
+"""`clers encode`, `decode` and `info`: meshes to files and back, and what is in them.
+
+Clauses: TOOL-ENCODE-1, TOOL-ENCODE-2, TOOL-INFO-1.
+"""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated

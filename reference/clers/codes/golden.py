@@ -54,7 +54,10 @@ def model(head: str) -> Context:
 
 
 def encode(symbols: str, head: str) -> Accepted[Bits] | Rejected:
-    """The bits of the symbols that follow `head`. Linear. Clauses: CODE-GOLDEN-1 … -3."""
+    """The bits of the symbols that follow `head`. Linear.
+
+    Clauses: CODE-GOLDEN-1 … CODE-GOLDEN-3; their number: CODE-GOLDEN-6, CODE-GOLDEN-7.
+    """
     stranger = next((i for i, x in enumerate(symbols) if x not in NUMBER), None)
     if stranger is not None:
         return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_GOLDEN_1, AtSymbol(stranger))

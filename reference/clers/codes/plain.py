@@ -15,7 +15,7 @@ _SYMBOL_OF: Final = {codeword: symbol for symbol, codeword in CODEWORDS.items()}
 
 
 def encode(symbols: str) -> Accepted[Bits] | Rejected:
-    """The bits of some symbols. Linear. Clause: CODE-PLAIN-1."""
+    """The bits of some symbols. Linear. Clauses: CODE-PLAIN-1, CODE-PLAIN-3."""
     stranger = next((i for i, x in enumerate(symbols) if x not in CODEWORDS), None)
     if stranger is not None:
         return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_PLAIN_1, AtSymbol(stranger))

@@ -21,7 +21,7 @@ class CodeName(StrEnum):
 
 
 def encode(code: CodeName, stream: Stream) -> Accepted[Bits] | Rejected:
-    """The bits of a stream's word; its handle data is not in them. Clauses: CODE-NAME-1, -2."""
+    """The bits of a stream's word; not its handle data. Clauses: CODE-NAME-1, CODE-NAME-2."""
     part = coded_part(stream)
     if isinstance(part, Rejected):
         return part
@@ -37,7 +37,7 @@ def encode(code: CodeName, stream: Stream) -> Accepted[Bits] | Rejected:
 def decode(
     code: CodeName, bits: Bits, symbols: int, components_with_boundary: int
 ) -> Accepted[str] | Rejected:
-    """The word of `symbols` symbols. Rejects bits no encoder writes. Clauses: CODE-NAME-1, -2."""
+    """The word of `symbols` symbols. Rejects bits no encoder writes. CODE-NAME-1, CODE-NAME-2."""
     head = implied(components_with_boundary)
     count = symbols - len(head)
     if count < 0:

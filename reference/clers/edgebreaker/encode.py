@@ -22,7 +22,8 @@ def encode(surface: Surface) -> Encoding:
 
     Algorithm 4: components with boundary first. Total: every surface has a stream. Linear in the
     number of faces. Clauses: EB-COMPONENT-1 … EB-COMPONENT-4, EB-TRAVERSE-1 … EB-TRAVERSE-7,
-    EB-HANDLE-1 … EB-HANDLE-5, EB-ORDER-1 … EB-ORDER-3.
+    EB-HANDLE-1 … EB-HANDLE-5, EB-ORDER-1 … EB-ORDER-3. What the symbols and records then count:
+    EB-COUNT-1 … EB-COUNT-4.
     """
     walk = _Walk(surface)
     with_boundary = 0

@@ -22,7 +22,10 @@ class Tree:
 
 
 def trees(outlined: Outline, decoded: Surface) -> tuple[Tree, ...]:
-    """The dual tree and the remainder of each component of a decoded surface. Linear."""
+    """The dual tree and the remainder of each component of a decoded surface. Linear.
+
+    Clauses: EB-REMAINDER-1, EB-REMAINDER-2, EB-REMAINDER-3.
+    """
     opposite = decoded.opposite
     found: list[Tree] = []
     for part in outlined.parts:
