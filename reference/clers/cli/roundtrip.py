@@ -12,6 +12,7 @@ from clers.conventions.result import Accepted, Rejected, and_then
 
 if TYPE_CHECKING:
     from clers.container.trip import Trip
+    from clers.geometry.mesh import Mesh
 
 SUFFIXES = (".ply", ".off", ".obj", ".stl", SUFFIX)
 
@@ -26,31 +27,77 @@ class Row:
 
 
 def roundtrip(
-    paths: Annotated[list[Path], typer.Argument(help="Mesh files, or folders of them.")],
+    paths: Annotated[
+        list[Path] | None, typer.Argument(help="Mesh files, or folders of them.")
+    ] = None,
+    random: Annotated[
+        int, typer.Option(min=0, help="So many random meshes, half of them manifold3d solids.")
+    ] = 0,
+    seed: Annotated[int, typer.Option(help="The seed of the random meshes.")] = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """Encode and decode meshes and check that each comes back: isomorphic, in order, bit-equal."""
-    from clers.container.options import Options
-    from clers.container.trip import round_trip
-
-    files = [file for path in paths for file in _files(path)]
+    files = [file for path in paths or () for file in _files(path)]
+    if not files and not random:
+        raise typer.BadParameter("name a mesh, a folder with meshes in it, or --random N")
     rows: list[Row] = []
-    with progress("roundtrip", len(files)) as step:
+    with progress("roundtrip", len(files) + random) as step:
         for file in files:
             step(file.name)
-            match and_then(mesh_in(file), lambda mesh: round_trip(mesh, Options())):
-                case Accepted(trip):
-                    rows.append(Row(file.name, trip, ""))
-                case Rejected() as rejected:
-                    rows.append(Row(file.name, None, rejected.line()))
+            rows.append(_row(file.name, mesh_in(file)))
+        for k, mesh in enumerate(_random_meshes(random, seed)):
+            step(f"random {k}")
+            rows.append(_row(f"random {k}", Accepted(mesh)))
     failed = [row for row in rows if row.trip is None]
     if as_json:
         json(rows)
     else:
-        _print(rows)
-        line(f"{len(rows) - len(failed)} of {len(rows)} meshes came back: isomorphic, equal under "
-             "the order of creation, positions bit for bit")  # fmt: skip
-    stop(Exit.NOT_CONFORMING if failed or not rows else Exit.CONFORMING)
+        _print(rows[: len(files)] + [row for row in rows[len(files) :] if row.trip is None])
+        if random:
+            _print_reach(rows[len(files) :])
+        line(
+            f"{len(rows) - len(failed)} of {len(rows)} meshes came back: isomorphic, equal under "
+            "the order of creation, positions bit for bit"
+        )
+    stop(Exit.NOT_CONFORMING if failed else Exit.CONFORMING)
+
+
+def _row(name: str, mesh: "Accepted[Mesh] | Rejected") -> Row:
+    """One mesh there and back."""
+    from clers.container.options import Options
+    from clers.container.trip import round_trip
+
+    match and_then(mesh, lambda given: round_trip(given, Options())):
+        case Accepted(trip):
+            return Row(name, trip, "")
+        case Rejected() as rejected:
+            return Row(name, None, rejected.line())
+
+
+def _random_meshes(count: int, seed: int) -> "tuple[Mesh, ...]":
+    """Half from scripts of operators, half solids; positions with every kind of float."""
+    if count == 0:
+        return ()
+    from clers.generate.meshes import meshes
+    from clers.generate.sample import sample
+    from clers.generate.solids import solids
+    from clers.generate.surfaces import surfaces
+
+    half = count // 2
+    drawn = sample(meshes(surfaces()), count - half, seed)
+    return (*drawn, *(sample(solids(), half, seed) if half else ()))
+
+
+def _print_reach(rows: list[Row]) -> None:
+    """What the random meshes reached."""
+    trips = [row.trip for row in rows if row.trip is not None]
+    if trips:
+        line(
+            f"random: genus to {max(t.genus for t in trips)}, "
+            f"curves to {max(t.curves for t in trips)}, "
+            f"components to {max(t.components for t in trips)}, "
+            f"{min(t.faces for t in trips)} to {max(t.faces for t in trips)} faces"
+        )
 
 
 def _files(path: Path) -> list[Path]:
