@@ -145,6 +145,15 @@ def test_fault_is_named(given: FaceList, reason: Reason, clause: Clause, where: 
     assert not is_coherent_surface(given)
 
 
+@pytest.mark.parametrize("bad", [-1, -4, 4, 1 << 80])
+def test_an_index_is_checked_at_each_corner(bad: int) -> None:
+    """Clause: CPLX-REJECT-3."""
+    for face in ((bad, 2, 3), (0, bad, 3), (0, 2, bad)):
+        answer = surface(FaceList(((0, 1, 2), face), 4))
+        assert isinstance(answer, Rejected)
+        assert (answer.reason, answer.where) == (Reason.INDEX_OUT_OF_RANGE, AtFace(1))
+
+
 def test_klein_bottle_disagrees() -> None:
     """Clause: CPLX-REJECT-7. Which edge is another matter: definition and algorithm agree on it."""
     got, expected = surface(KLEIN_BOTTLE), first_fault(KLEIN_BOTTLE)

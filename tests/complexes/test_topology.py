@@ -22,7 +22,16 @@ from golden_complexes import (
 from clers.complexes.definition import is_orientable, is_surface
 from clers.complexes.face_list import FaceList
 from clers.complexes.homology import Field, betti, coherent_chains
-from clers.complexes.simplicial import boundary, closure, euler, link, pieces, star
+from clers.complexes.simplicial import (
+    boundary,
+    closure,
+    euler,
+    is_arc,
+    is_circle,
+    link,
+    pieces,
+    star,
+)
 from clers.complexes.surface import BORDER, Corner, Face, face_of, next_corner, previous_corner
 from clers.complexes.topology import (
     Component,
@@ -110,6 +119,24 @@ def test_star_and_link_of_the_band() -> None:
     assert sum(len(s) == 3 for s in star(k, one)) == 3
     assert link(k, one) == closure([(0, 3), (3, 4), (4, 2)])
     assert boundary(k) == closure([(0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3)])
+
+
+def test_circles_and_arcs() -> None:
+    """Clause: CPLX-SURFACE-1."""
+    circle = closure([(0, 1), (1, 2), (2, 0)])
+    arc = closure([(0, 1), (1, 2)])
+    others = (
+        closure([]),
+        closure([(0,)]),
+        closure([(0, 1, 2)]),
+        closure([(0, 1), (2, 3)]),
+        closure([(0, 1), (0, 2), (0, 3)]),
+        closure([(0, 1), (1, 2), (2, 0), (2, 3)]),
+        closure([(0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3)]),
+    )
+    assert (is_circle(circle), is_arc(circle)) == (True, False)
+    assert (is_circle(arc), is_arc(arc)) == (False, True)
+    assert not any(is_circle(k) or is_arc(k) for k in others)
 
 
 def test_corners_of_one_triangle() -> None:

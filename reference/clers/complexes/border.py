@@ -9,7 +9,7 @@ def outgoing_border(opposite: Sequence[Corner], corner: Corner) -> Corner:
     """The corner c of the same vertex from which the border leaves along a face's edge.
 
     `corner` is any corner of a vertex on a boundary curve. The edge from c to next c lies on the
-    curve: opposite[previous c] is BORDER. Clause: CPLX-CURVE-1.
+    curve: opposite[previous c] is BORDER. Found by swinging. Clauses: CPLX-CORNER-4, CPLX-CURVE-1.
     """
     c = corner
     while (d := opposite[previous_corner(c)]) != BORDER:

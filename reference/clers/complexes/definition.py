@@ -54,7 +54,7 @@ def is_surface(k: Complex) -> bool:
 
 
 def is_coherent_surface(given: FaceList) -> bool:
-    """May the face list be called an oriented surface? Clauses: CPLX-SURFACE-2, CPLX-INPUT-2."""
+    """May the face list be called an oriented surface? Clauses: CPLX-INPUT-4, CPLX-SURFACE-2."""
     k = closure(given.faces)
     runs = [(side.tail, side.head) for side in sides(given)]
     return (

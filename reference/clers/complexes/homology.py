@@ -79,7 +79,10 @@ def rank_over_q(rows: Iterable[Row]) -> int:
 
 
 def betti(k: Complex, field: Field) -> tuple[int, ...]:
-    """b_0 … b_n with b_m = #m − rank ∂_m − rank ∂_{m+1}. Clause: CPLX-HOMOLOGY-1."""
+    """b_0 … b_n with b_m = #m − rank ∂_m − rank ∂_{m+1}.
+
+    Clauses: CPLX-HOMOLOGY-1; what they are for surfaces: CPLX-HOMOLOGY-2; with χ: CPLX-HOMOLOGY-3.
+    """
     n = dimension(k)
     simplices = [of_dimension(k, m) for m in range(n + 2)]
     ranks = [0] + [

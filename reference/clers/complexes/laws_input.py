@@ -6,7 +6,7 @@ from clers.complexes.corner_table import face_list, surface
 from clers.complexes.definition import first_fault, is_coherent_surface, is_surface, sides
 from clers.complexes.face_list import DEFAULT_LIMITS, FaceList, Limits
 from clers.complexes.fans import fans
-from clers.complexes.given import FACE_LISTS, SMALL_SURFACES, SURFACES
+from clers.complexes.given import FACE_LISTS, REPAIRABLE, SMALL_SURFACES, SURFACES
 from clers.complexes.matching import mates
 from clers.complexes.simplicial import closure, link, pieces
 from clers.complexes.surface import (
@@ -172,6 +172,21 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
         "A face list is accepted exactly if its closure is a surface, oriented, with each vertex "
         "used and no triangle twice.",
         FACE_LISTS,
+        _accepted,
+    ),
+    Law(
+        "repairable-faults-are-named-as-defined",
+        Clause.CPLX_REJECT_7,
+        "So it is where faces are turned over, vertices pinched together or not used.",
+        REPAIRABLE,
+        _fault,
+    ),
+    Law(
+        "repairable-face-lists-are-told-from-surfaces",
+        Clause.CPLX_INPUT_4,
+        "A surface with faces turned over, vertices pinched together or not used is accepted "
+        "exactly if it is an oriented surface still.",
+        REPAIRABLE,
         _accepted,
     ),
     Law(

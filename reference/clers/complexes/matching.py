@@ -56,7 +56,10 @@ def _bad_repeat(given: FaceList) -> Rejected | None:
 
 
 def _mates(given: FaceList) -> Accepted[tuple[int, ...]] | Rejected:
-    """Bring the corners of each edge together. Clauses: CPLX-REJECT-5, CPLX-REJECT-6."""
+    """Bring the corners of each edge together, two by two.
+
+    Clauses: CPLX-CORNER-3, CPLX-REJECT-5, CPLX-REJECT-6.
+    """
     tips = [v for face in given.faces for v in face]
     tails, heads = edges_of(tips)
     low, high = list(map(min, tails, heads)), list(map(max, tails, heads))
@@ -108,7 +111,7 @@ def groups(keys: Sequence[Sequence[int]], bound: int) -> Iterator[list[int]]:
     Linear in the length of the keys + bound, for each key.
     """
     order: Sequence[int] = range(len(keys[0]))
-    for key in reversed(keys):
+    for key in keys:
         order = counting_sort(key, bound, order)
     whole = list(zip(*keys, strict=True))
     group = [order[0]]

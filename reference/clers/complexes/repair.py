@@ -167,9 +167,9 @@ def _triples(corners: Sequence[int]) -> tuple[tuple[int, int, int], ...]:
 
 
 def then(first: Repaired, second: Repaired) -> Repaired:
-    """Two repairs, the second of what the first has made, as one. Clause: CPLX-REPAIR-1.
+    """Two repairs, the second of what the first has made, as one.
 
-    The actions of the second keep the numbers it was given.
+    The actions of the second keep the numbers it was given. Clauses: CPLX-REPAIR-1, CPLX-REPAIR-6.
     """
     return Repaired(
         second.face_list,
