@@ -17,7 +17,6 @@ from clers.edgebreaker.examples import TETRAHEDRON, TRIANGLE
 from clers.geometry import quantised, residual
 from clers.geometry.box import Box
 from clers.geometry.lattice import (
-    LARGEST_NUMBER,
     Quantised,
 )
 from clers.geometry.predict import NONE, parallelogram_corners, residuals
@@ -126,8 +125,8 @@ def test_four_corners() -> None:
     "coded",
     [
         Coded(972, Box((0, 0, 0), (0, 0, 0)), Bits(b"\x40", 2)),
-        Coded(0, Box((-LARGEST_NUMBER - 1, 0, 0), (0, 0, 0)), Bits(b"\x40", 2)),
-        Coded(0, Box((0, 0, LARGEST_NUMBER), (0, 0, 1)), Bits(b"\x40", 2)),
+        Coded(0, Box((-(1 << 53), 0, 0), (0, 0, 0)), Bits(b"\x40", 2)),
+        Coded(0, Box((0, 0, (1 << 53) - 1), (0, 0, 1)), Bits(b"\x40", 2)),
         Coded(0, Box((0, 0, 0), (1 << 30, 0, 0)), Bits(b"\x40", 2)),
         Coded(0, Box((0, 0, 0), (-1, 0, 0)), Bits(b"\x40", 2)),
     ],
@@ -135,6 +134,13 @@ def test_four_corners() -> None:
 def test_boxes_off_the_lattice_are_refused(coded: Coded) -> None:
     """Clauses: GEOM-LATTICE-1, GEOM-BOX-2."""
     assert refusal(quantised.decode(TRIANGLE, coded)).reason is Reason.BAD_LATTICE
+
+
+def test_the_largest_lattice_number_is_accepted() -> None:
+    """Clause: GEOM-LATTICE-1."""
+    for low in ((1 << 53) - 1, 1 - (1 << 53)):
+        coded = Coded(0, Box((low, 0, 0), (0, 0, 0)), pack([0, 1]))
+        assert quantised.decode(TRIANGLE, coded) == Accepted(Quantised(0, (low, 0, 0) * 3))
 
 
 def test_a_box_that_is_not_tight_is_refused() -> None:

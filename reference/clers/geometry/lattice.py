@@ -64,10 +64,9 @@ def nearest(x: float, exponent: int) -> int:
 
 def fits(x: float, exponent: int) -> bool:
     """Whether the nearest lattice number is less than 2^53 in magnitude. Clause: GEOM-LATTICE-3."""
-    if x == 0.0:
-        return True
-    _, size = frexp(x)  # |x| < 2^size
-    return size - exponent <= 53 and abs(nearest(x, exponent)) <= LARGEST_NUMBER
+    _, size = frexp(x)  # 2^(size−1) ≤ |x| < 2^size
+    # From 2^52 on doubles are integers, so that no rounding leads up to 2^53.
+    return x == 0.0 or size - exponent <= 53
 
 
 def exponent_for_bits(given: Positions, bits: int) -> Accepted[int] | Rejected:
