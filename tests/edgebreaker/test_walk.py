@@ -81,31 +81,25 @@ def test_the_torus_of_figure_22() -> None:
 def test_the_annulus_step_by_step() -> None:
     """EB-COMPONENT-1, EB-COMPONENT-4, EB-TRAVERSE-4, -7, EB-HANDLE-2 … -4, EB-ORDER-2.
 
-    Faces (2,5,4) (1,2,0) (3,0,2) (2,4,3) (0,5,1) (0,4,5). The lowest corner at a border is corner 1
-    of face 0: its edge 4→2 lies in no other face. So the gate leads from 4 to 2, the first curve is
-    4, 2, 1 … as the faces run it, and the apex 5 lies on the other curve: S reaches it.
+    Faces (2,5,4) (1,2,0) (3,0,2) (2,4,3) (0,5,1) (0,4,5). The edges opposite to corners 0 and 1 of
+    face 0 lie in faces 5 and 3 too; that of corner 2, from 2 to 5, lies in no other face. So that
+    is the first gate, and the first curve is 2, 5, 1: its edges 5→1 and 1→2 are run by faces 4 and
+    1. The apex 4 lies on the other curve, which the faces run 4→3→0→4: S reaches it. The walk goes
+    right, from 4 to 5, into face 5, and so on; face 3 comes last, entered from 3 to 2, and its
+    right edge 2→4 is the left edge of the S.
     """
-    entries = traced(ANNULUS)
-    assert entries[0].symbol == "S"
-    assert entries[0].opens == 0
-    border = {
-        (a, b)
-        for t in ANNULUS.triangles()
-        for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0]))
-        if not any(
-            (b, a) in ((u[0], u[1]), (u[1], u[2]), (u[2], u[0])) for u in ANNULUS.triangles()
-        )
-    }
-    order = encode(ANNULUS).vertex_order
-    assert order[:3] != order[3:]
-    for curve in (order[:3], order[3:]):
-        assert {(curve[0], curve[1]), (curve[1], curve[2]), (curve[2], curve[0])} <= border
-    a, b = entries[0].gate
-    assert order[:2] == (a, b)
-    assert order[3] == entries[0].triangle[0]
-    assert encode(ANNULUS).stream.word == "SLRRLE"
-    assert encode(ANNULUS).stream.records == (Record(Kind.BOUNDARY, 0, 4, Side.RIGHT),)
-    assert encode(ANNULUS).stream.components_with_boundary == 1
+    steps = [(e.symbol, e.face, e.gate, e.triangle[0], e.new, e.closes) for e in traced(ANNULUS)]
+    assert steps == [
+        ("S", 0, (2, 5), 4, (2, 5, 1, 4, 3, 0), ()),
+        ("L", 5, (4, 5), 0, (), ()),
+        ("R", 4, (0, 5), 1, (), ()),
+        ("R", 1, (0, 1), 2, (), ()),
+        ("L", 2, (0, 2), 3, (), ()),
+        ("E", 3, (3, 2), 4, (), (0,)),
+    ]
+    assert encode(ANNULUS).vertex_order == (2, 5, 1, 4, 3, 0)
+    record = Record(Kind.BOUNDARY, 0, 4, Side.RIGHT)
+    assert encode(ANNULUS).stream == Stream("SLRRLE", (record,), 1)
 
 
 def test_components_with_boundary_come_first() -> None:
