@@ -19,12 +19,15 @@ CHOICES: Final = st.integers(0, 999)
 TWO_CHOICES: Final = st.integers(0, 999_999)  # drawn at once, for speed
 
 
-def any_scripts(max_size: int = 25) -> st.SearchStrategy[Script]:
-    """Scripts with any operators and any integers, most of them with something to do."""
+def any_scripts(max_size: int = 40) -> st.SearchStrategy[Script]:
+    """Scripts with any operators and any integers; half of them are long."""
     anything = st.one_of(CHOICES, st.integers())
     raw = st.tuples(st.integers(0, len(EVERY) - 1), anything, anything)
-    return st.lists(raw, max_size=max_size).map(
-        lambda drawn: tuple(EVERY[kind](first, second) for kind, first, second in drawn)
+    lists = [st.lists(raw, min_size=low, max_size=max_size) for low in (0, max_size // 2)]
+    return (
+        st.sampled_from(lists)
+        .flatmap(lambda chosen: chosen)
+        .map(lambda drawn: tuple(EVERY[kind](first, second) for kind, first, second in drawn))
     )
 
 
@@ -53,9 +56,9 @@ def grown(draw: st.DrawFn, bounds: Bounds) -> Grown:
 
 
 def _count(low: int, high: int) -> st.SearchStrategy[int]:
-    """A number in a range; half of the time the lowest."""
+    """A number in a range; the lowest most often, then the next one."""
     span = range(low, high + 1)
-    return st.sampled_from([low] * (len(span) - 1) + list(span))
+    return st.sampled_from([*span[:1]] * (len(span) - 1) + [*span[1:2]] * 2 + [*span])
 
 
 def _pairs(count: int) -> st.SearchStrategy[list[Choice]]:

@@ -153,7 +153,7 @@ def _fan(faces: Sequence[Triangle], of: Mapping[Side, int], side: Side, end: int
     other = side[0] + side[1] - end
     gate = side
     fan: list[int] = []
-    while gate in of:
+    while gate in of and of[gate] not in fan:  # so that no mesh, however wrong, makes it endless
         fan.append(of[gate])
         other = apex(faces, of, gate)
         # The face's other side at `end`, as the face across runs it.
