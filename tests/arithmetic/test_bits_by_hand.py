@@ -43,7 +43,17 @@ def test_coin() -> None:
 
 def test_symbols_that_are_certain_cost_nothing() -> None:
     """ARITH-NARROW-1: the whole interval is the only part."""
-    assert digits_of(Static((0, MAXIMUM_TOTAL)), *[0] * 50) == "01"
+    certain = Static((0, MAXIMUM_TOTAL))
+    assert digits_of(certain, *[0] * 50) == "01"
+    assert coder.decode(certain, bits("01"), 50) == Accepted((0,) * 50)
+
+
+def test_one_of_the_largest_total() -> None:
+    """INFO-MODEL-2, ARITH-NARROW-1: of 2^32 integers the first 4, or the last 4, are left."""
+    for symbol, digits in ((0, "0" * 30 + "01"), (2, "1" * 30 + "01")):
+        model = Static((0, 1, MAXIMUM_TOTAL - 1, MAXIMUM_TOTAL))
+        assert digits_of(model, symbol) == digits
+        assert coder.decode(model, bits(digits), 1) == Accepted((symbol,))
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 31, 32, 33, 1000])
