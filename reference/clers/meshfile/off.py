@@ -91,7 +91,7 @@ def _sizes(rows: Iterator[Row]) -> tuple[int, int] | Rejected:
 
 def _triangle(line: int, words: list[bytes], t: int) -> tuple[int, int, int] | Rejected:
     corners = integer(words[0])
-    if corners is None or corners < 0 or len(words) <= corners:
+    if corners is None or len(words) <= corners:
         return bad_line(line, f"no corners of face {t}")
     numbers = [number for number in map(integer, words[1 : corners + 1]) if number is not None]
     if len(numbers) != corners or reals(words[corners + 1 :]) is None:
