@@ -234,7 +234,7 @@ def test_chiral_hexagons() -> None:
 
 
 def test_components_match_whatever_their_order() -> None:
-    """Clause: CPLX-ISO-1. Among components of one profile the first that fits is as good as any."""
+    """Clauses: CPLX-ISO-1, CPLX-ISO-5. Of components with one profile any that fits is right."""
     one = beside(fan_with_ear(2), fan_with_ear(3), fan_with_ear(2), TRIANGLE)
     same = beside(TRIANGLE, fan_with_ear(3), fan_with_ear(2), fan_with_ear(2))
     other = beside(TRIANGLE, fan_with_ear(3), fan_with_ear(3), fan_with_ear(2))
@@ -242,6 +242,8 @@ def test_components_match_whatever_their_order() -> None:
     assert isinstance(answer, Isomorphic)
     assert is_isomorphism(accepted(one), accepted(same), answer) == Holds()
     assert isinstance(isomorphism(accepted(one), accepted(other)), Different)
+    assert canonical_form(accepted(one)) == canonical_form(accepted(same))
+    assert canonical_form(accepted(one)) != canonical_form(accepted(other))
 
 
 def test_one_certificate_by_hand() -> None:

@@ -63,7 +63,9 @@ def _certificates(pair: Pair) -> Verdict:
     if isinstance(answer, Different):
         return Holds()
     v, c = answer.vertices, answer.corners
+    beside = next((d for d in range(3, len(c)) if first.vertex[d] == first.vertex[0]), None)
     wrong = (
+        *(() if beside is None else (Isomorphic(v, _exchanged(c, beside)),)),
         Isomorphic((v[1], v[0], *v[2:]), c),
         Isomorphic((v[1], *v[1:]), c),
         Isomorphic(v, (c[1], c[2], c[0], *c[3:])),
@@ -77,6 +79,11 @@ def _certificates(pair: Pair) -> Verdict:
         is_isomorphism(first, second, answer),
         *(same(True, isinstance(verdict, Fails)) for verdict in verdicts),
     )
+
+
+def _exchanged(corners: tuple[Corner, ...], d: int) -> tuple[Corner, ...]:
+    """The first image exchanged with another."""
+    return (corners[d], *corners[1:d], corners[0], *corners[d + 1 :])
 
 
 def _codes(of: Surface) -> Verdict:
@@ -180,8 +187,8 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
     Law(
         "certificates-are-judged",
         Clause.CPLX_ISO_2,
-        "The certificate that is found is good; with two vertices exchanged, a face rotated or "
-        "turned over, faces moved on, or a part missing, it is not.",
+        "The certificate that is found is good; with two vertices exchanged, two corners of one "
+        "vertex, a face rotated or turned over, faces moved on, or a part missing, it is not.",
         PAIRS,
         _certificates,
     ),
