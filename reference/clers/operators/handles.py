@@ -21,7 +21,7 @@ SHORTEST_LOOP: Final = 3
 
 @dataclass(frozen=True, slots=True)
 class ZeroHandle:
-    """χ+1: a new component, one triangle. The gate is across its first edge. Clause: OPER-HANDLE-1."""
+    """χ+1: a new component, one triangle; the gate is across its first edge. OPER-HANDLE-1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class UpperHandle:
 
 @dataclass(frozen=True, slots=True)
 class OneHandle:
-    """χ-1, one component less: a triangle from the gate to the first vertex of the polygon just made.
+    """χ-1, a component less: a triangle from the gate to a new polygon's first vertex.
 
     Clause: OPER-HANDLE-7.
     """
@@ -113,6 +113,8 @@ NOTHING: Final = Growing()
 
 def apply(operator: Operator, grown: Growing) -> Accepted[Growing] | Rejected:
     """One operator on a growing surface. Total. Clauses: OPER-HANDLE-1 … OPER-HANDLE-9."""
+    if _polygon_waits(grown) and not isinstance(operator, OneHandle):
+        return _refused(Clause.OPER_HANDLE_7, "a new polygon over another loop waits")
     match operator:
         case ZeroHandle():
             return _zero_handle(grown)
@@ -172,8 +174,16 @@ def _joined(loop: Loop, other: Loop) -> Loop:
     return (other[0], b, *rest, a, *other)
 
 
+def _polygon_waits(grown: Growing) -> bool:
+    """Is the last loop a new component's polygon, over a loop of the component under construction?
+
+    Any operator but the 1-handle would then take gates of two components for those of one.
+    """
+    return len(grown.loops) > 1 and grown.loops[-1:] == grown.polygons[-1:]
+
+
 def _one_handle(grown: Growing) -> Accepted[Growing] | Rejected:
-    if len(grown.loops) < 2 or grown.loops[-1:] != grown.polygons[-1:]:
+    if not _polygon_waits(grown):
         return _refused(
             Clause.OPER_HANDLE_7, "the last loop is not a new polygon over another loop"
         )
