@@ -8,9 +8,10 @@ import pytest
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
+from clers.geometry.positions import Positions, Precision
 from clers.meshfile import read
 from clers.meshfile.formats import Format, format_of
-from clers.meshfile.mesh import judged
+from clers.meshfile.mesh import judged, unjudged
 from clers.meshfile.reading import contents
 
 TRIANGLE = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
@@ -42,6 +43,9 @@ def test_a_file_is_read_and_judged(tmp_path: Path) -> None:
     mesh = judged(raw.value)
     assert isinstance(mesh, Accepted)
     assert mesh.value.surface.faces == 1
+    places = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+    assert mesh.value.positions == Positions(Precision.F32, places)
+    assert unjudged(raw.value.faces, Positions(Precision.F32, places)) == raw.value
 
 
 def unreadable(path: Path, says: str) -> None:
