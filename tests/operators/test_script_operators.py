@@ -35,7 +35,10 @@ TRIANGLE = FaceList(((0, 1, 2),), 3)
 TWO = FaceList(((0, 1, 2), (1, 0, 3)), 4)
 STRIP = FaceList(((0, 1, 2), (2, 1, 3), (2, 3, 4)), 5)
 CUP = FaceList(START.faces[1:], 4)  # the tetrahedron without (0, 1, 2)
+LONG = FaceList((*STRIP.faces, (4, 3, 5), (4, 5, 6)), 7)
 APART = FaceList(((0, 1, 2), (3, 4, 5)), 6)
+_RING = ((0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (2, 0, 3), (2, 3, 5))
+SLEEVE = FaceList((*_RING, *((a + 3, b + 3, c + 3) for a, b, c in _RING)), 9)
 
 
 def up_to_turns(faces: Iterable[tuple[int, int, int]]) -> frozenset[tuple[int, int, int]]:
@@ -150,6 +153,23 @@ CASES: list[tuple[str, Operator, FaceList, FaceList, Effect]] = [
         APART,
         FaceList(((0, 1, 2), (3, 4, 5), (1, 0, 4), (1, 4, 3)), 6),
         Effect(components=-1, curves=-1),
+    ),
+    (
+        # The border runs 0→1→3→5→6→4→2→0; its sides, in the order of the faces, are
+        # 0→1, 2→0, 1→3, 4→2, 3→5, 5→6, 6→4. Afterwards 1→3→5→1 and 0→6→4→2→0.
+        "OPER-TUBE-5 one curve",
+        Bridge(0, 5),
+        LONG,
+        FaceList((*LONG.faces, (1, 0, 6), (1, 6, 5)), 7),
+        Effect(curves=1),
+    ),
+    (
+        # Sides 0→1, 1→2, 2→0 on one curve; 7→6, 8→7, 6→8 on the other.
+        "OPER-TUBE-5 two curves",
+        Bridge(0, 3),
+        SLEEVE,
+        FaceList((*SLEEVE.faces, (1, 0, 6), (1, 6, 7)), 9),
+        Effect(genus=1, curves=-1),
     ),
 ]
 

@@ -54,6 +54,12 @@ EVERY: Final[tuple[Kind, ...]] = (
     *ACT,
     lambda i, _: Relabel(i),
     lambda _, __: AddTetrahedron(),
+    lambda i, _: AddEar(i),  # more of what works at borders: it seldom meets what it needs
+    lambda i, _: AddEar(i),
+    lambda i, _: RemoveFace(i),
+    lambda i, _: OpenCurve(i),
+    Bridge,
+    Bridge,
 )
 
 

@@ -21,7 +21,7 @@ TWO_CHOICES: Final = st.integers(0, 999_999)  # drawn at once, for speed
 
 def any_scripts(max_size: int = 40) -> st.SearchStrategy[Script]:
     """Scripts with any operators and any integers; half of them are long."""
-    anything = st.one_of(CHOICES, st.integers())
+    anything = st.one_of(st.integers(0, 15), CHOICES, st.integers())
     raw = st.tuples(st.integers(0, len(EVERY) - 1), anything, anything)
     lists = [st.lists(raw, min_size=low, max_size=max_size) for low in (0, max_size // 2)]
     return (
