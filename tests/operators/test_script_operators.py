@@ -6,6 +6,7 @@ from itertools import permutations
 import pytest
 
 from clers.complexes.face_list import FaceList
+from clers.conventions.clause import Clause
 from clers.operators.effect import NO_EFFECT, Effect
 from clers.operators.script import (
     START,
@@ -53,94 +54,113 @@ def test_start() -> None:
 
 SPLIT = FaceList(((0, 1, 4), (0, 3, 1), (0, 2, 3), (1, 3, 2), (1, 2, 4), (2, 0, 4)), 5)
 
-CASES: list[tuple[str, Operator, FaceList, FaceList, Effect]] = [
-    ("OPER-REFINE-1", SplitFace(0), START, SPLIT, NO_EFFECT),
+CASES: list[tuple[Clause, str, Operator, FaceList, FaceList, Effect]] = [
+    (Clause.OPER_REFINE_1, "", SplitFace(0), START, SPLIT, NO_EFFECT),
     (
-        "OPER-REFINE-2 inside",
+        Clause.OPER_REFINE_2,
+        "inside",
         SplitEdge(0),
         START,
         FaceList(((0, 4, 2), (4, 1, 2), (1, 4, 3), (4, 0, 3), (0, 2, 3), (1, 3, 2)), 5),
         NO_EFFECT,
     ),
     (
-        "OPER-REFINE-2 border",
+        Clause.OPER_REFINE_2,
+        "border",
         SplitEdge(1),
         TRIANGLE,
         FaceList(((1, 3, 0), (3, 2, 0)), 4),
         NO_EFFECT,
     ),
     (
-        "OPER-REFINE-3",
+        Clause.OPER_REFINE_3,
+        "",
         FlipEdge(0),
         SPLIT,
         FaceList(((4, 0, 3), (3, 1, 4), (0, 2, 3), (1, 3, 2), (1, 2, 4), (2, 0, 4)), 5),
         NO_EFFECT,
     ),
-    ("OPER-REFINE-4 seed 0", Relabel(0), START, START, NO_EFFECT),
-    ("OPER-BORDER-1", AddEar(0), TRIANGLE, FaceList(((0, 1, 2), (1, 0, 3)), 4), NO_EFFECT),
+    (Clause.OPER_REFINE_4, "seed 0", Relabel(0), START, START, NO_EFFECT),
+    (Clause.OPER_BORDER_1, "", AddEar(0), TRIANGLE, FaceList(((0, 1, 2), (1, 0, 3)), 4), NO_EFFECT),
     (
-        "OPER-BORDER-2",
+        Clause.OPER_BORDER_2,
+        "",
         FillCorner(1),
         TWO,
         FaceList(((0, 1, 2), (1, 0, 3), (3, 0, 2)), 4),
         NO_EFFECT,
     ),
     (
-        "OPER-BORDER-2 last",
+        Clause.OPER_BORDER_2,
+        "last",
         FillCorner(0),
         CUP,
         FaceList((*CUP.faces, (0, 1, 2)), 4),
         Effect(curves=-1),
     ),
     (
-        "OPER-BORDER-3",
+        Clause.OPER_BORDER_3,
+        "",
         CloseCurve(0),
         TRIANGLE,
         FaceList(((0, 1, 2), (1, 0, 3), (2, 1, 3), (0, 2, 3)), 4),
         Effect(curves=-1),
     ),
-    ("OPER-BORDER-4 no room needed", OpenCurve(0), START, CUP, Effect(curves=1)),
+    (Clause.OPER_BORDER_4, "no room needed", OpenCurve(0), START, CUP, Effect(curves=1)),
     (
-        "OPER-BORDER-4 two vertices",
+        Clause.OPER_BORDER_4,
+        "two vertices",
         OpenCurve(0),
         CUP,
         FaceList(((0, 2, 3), (1, 3, 2), (1, 0, 4), (3, 1, 4), (0, 3, 5), (4, 0, 5)), 6),
         Effect(curves=1),
     ),
-    ("OPER-BORDER-5 inside", RemoveFace(0), START, CUP, Effect(curves=1)),
-    ("OPER-BORDER-5 ear", RemoveFace(0), TWO, FaceList(((1, 0, 2),), 3), NO_EFFECT),
+    (Clause.OPER_BORDER_5, "inside", RemoveFace(0), START, CUP, Effect(curves=1)),
+    (Clause.OPER_BORDER_5, "ear", RemoveFace(0), TWO, FaceList(((1, 0, 2),), 3), NO_EFFECT),
     (
-        "OPER-BORDER-5 one side free",
+        Clause.OPER_BORDER_5,
+        "one side free",
         RemoveFace(0),
         CUP,
         FaceList(((0, 2, 3), (1, 3, 2)), 4),
         NO_EFFECT,
     ),
-    ("OPER-BORDER-5 component", RemoveFace(1), APART, TRIANGLE, Effect(components=-1, curves=-1)),
-    ("OPER-BORDER-6", RemoveStar(0), START, FaceList(((0, 2, 1),), 3), Effect(curves=1)),
     (
-        "OPER-BORDER-7 slit",
+        Clause.OPER_BORDER_5,
+        "component",
+        RemoveFace(1),
+        APART,
+        TRIANGLE,
+        Effect(components=-1, curves=-1),
+    ),
+    (Clause.OPER_BORDER_6, "", RemoveStar(0), START, FaceList(((0, 2, 1),), 3), Effect(curves=1)),
+    (
+        Clause.OPER_BORDER_7,
+        "slit",
         CutEdge(0),
         CUP,
         FaceList(((4, 3, 1), (0, 2, 3), (1, 3, 2)), 5),
         NO_EFFECT,
     ),
     (
-        "OPER-BORDER-7 apart",
+        Clause.OPER_BORDER_7,
+        "apart",
         CutEdge(0),
         TWO,
         FaceList(((4, 5, 2), (1, 0, 3)), 6),
         Effect(components=1, curves=1),
     ),
     (
-        "OPER-TUBE-2",
+        Clause.OPER_TUBE_2,
+        "",
         AddTetrahedron(),
         TRIANGLE,
         FaceList(((0, 1, 2), (3, 4, 5), (3, 6, 4), (3, 5, 6), (4, 6, 5)), 7),
         Effect(components=1),
     ),
     (
-        "OPER-TUBE-4",
+        Clause.OPER_TUBE_4,
+        "",
         JoinComponents(0, 0),
         APART,
         # (0, 1, 2) against (3, 5, 4): 0 by 3, 1 by 5, 2 by 4.
@@ -148,7 +168,8 @@ CASES: list[tuple[str, Operator, FaceList, FaceList, Effect]] = [
         Effect(components=-1),
     ),
     (
-        "OPER-TUBE-5 components",
+        Clause.OPER_TUBE_5,
+        "components",
         Bridge(0, 3),
         APART,
         FaceList(((0, 1, 2), (3, 4, 5), (1, 0, 4), (1, 4, 3)), 6),
@@ -157,7 +178,8 @@ CASES: list[tuple[str, Operator, FaceList, FaceList, Effect]] = [
     (
         # The border runs 0→1→3→5→6→4→2→0; its sides, in the order of the faces, are
         # 0→1, 2→0, 1→3, 4→2, 3→5, 5→6, 6→4. Afterwards 1→3→5→1 and 0→6→4→2→0.
-        "OPER-TUBE-5 one curve",
+        Clause.OPER_TUBE_5,
+        "one curve",
         Bridge(0, 5),
         LONG,
         FaceList((*LONG.faces, (1, 0, 6), (1, 6, 5)), 7),
@@ -165,7 +187,8 @@ CASES: list[tuple[str, Operator, FaceList, FaceList, Effect]] = [
     ),
     (
         # Sides 0→1, 1→2, 2→0 on one curve; 7→6, 8→7, 6→8 on the other.
-        "OPER-TUBE-5 two curves",
+        Clause.OPER_TUBE_5,
+        "two curves",
         Bridge(0, 3),
         SLEEVE,
         FaceList((*SLEEVE.faces, (1, 0, 6), (1, 6, 7)), 9),
@@ -176,8 +199,8 @@ CASES: list[tuple[str, Operator, FaceList, FaceList, Effect]] = [
 
 @pytest.mark.parametrize(
     ("operator", "before", "after", "effect"),
-    [case[1:] for case in CASES],
-    ids=[case[0] for case in CASES],
+    [case[2:] for case in CASES],
+    ids=[f"{case[0]} {case[1]}".strip() for case in CASES],
 )
 def test_by_hand(operator: Operator, before: FaceList, after: FaceList, effect: Effect) -> None:
     """The clause is the test's id; also OPER-SCRIPT-2 and OPER-SCRIPT-3."""

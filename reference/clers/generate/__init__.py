@@ -1,1 +1,18 @@
-"""Random and regular meshes: Hypothesis strategies for every law, and plain functions."""
+"""Random and regular meshes: Hypothesis strategies for every law, and plain functions.
+
+For a property test of your own encoder:
+
+    from hypothesis import given
+    from clers.generate.surfaces import surfaces, face_list_of
+
+    @given(surfaces(max_faces=60, genus=(0, 2), curves=(0, 0)))
+    def test_round_trip(surface):
+        faces = face_list_of(surface).faces
+        ...
+
+`surfaces`, `closed_surfaces`, `spheres`, `small_surfaces`, `scripts` are in `surfaces`; `solids`,
+with positions, in `solids`; `face_lists`, some of them faulty, in `face_lists`; pairs under two
+labellings in `relabelled`. Without Hypothesis: `families` and `irregular` make meshes of any size,
+`kinds.random_script` makes scripts. `domains.strategy_for` finds the strategy of a law's domain,
+and `distribution` prints what the strategies reach.
+"""

@@ -58,7 +58,7 @@ def grown(draw: st.DrawFn, bounds: Bounds) -> Grown:
 def _count(low: int, high: int) -> st.SearchStrategy[int]:
     """A number in a range; the lowest most often, then the next one."""
     span = range(low, high + 1)
-    return st.sampled_from([*span[:1]] * (len(span) - 1) + [*span[1:2]] * 2 + [*span])
+    return st.sampled_from([low] * len(span) + [*span[1:2], *span])
 
 
 def _pairs(count: int) -> st.SearchStrategy[list[Choice]]:
