@@ -13,12 +13,15 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import WHOLE
+from clers.edgebreaker.encode import encode
 from clers.edgebreaker.examples import TETRAHEDRON, TRIANGLE
+from clers.generate.families import sphere_of
 from clers.geometry import quantised, residual
 from clers.geometry.box import Box
 from clers.geometry.lattice import (
     Quantised,
 )
+from clers.geometry.order import in_creation_order
 from clers.geometry.predict import NONE, parallelogram_corners, residuals
 from clers.geometry.quantised import Coded
 from clers.geometry.residual import fold
@@ -92,6 +95,25 @@ def test_one_triangle_of_two_places() -> None:
     assert low <= int(digits, 2) / 2 ** len(digits) < low + 9 / (3 * 11 * 2 * 19)
     assert len(digits) <= 10  # −log₂ 0.007177 = 7.12, and at most two more
     assert quantised.decode(TRIANGLE, coded.value) == Accepted(given)
+
+
+def test_frequencies_are_halved() -> None:
+    """Classes 0 on x, vertex after vertex: 1 + 8n, 1, 1 with total 3 + 8n, over 8192 at n = 1024.
+
+    Then 8193 becomes 8193 − 4096 = 4097. Vertices 0, 1 and 2 of a sphere have no parallelogram.
+    Clause: GEOM-CODE-2.
+    """
+    built = surface(sphere_of(2060))
+    assert isinstance(built, Accepted)
+    sphere = in_creation_order(built.value, encode(built.value))
+    assert sphere.vertices > 3 + 1024
+    state = residual.model(sphere, Box((0, 0, 0), (1, 0, 0)))
+    tables = []
+    for _ in range(sphere.vertices):
+        tables.append(tuple(state.cumulative))
+        state = state.after(0).after(0).after(0)
+    assert tables[3 + 1023] == (0, 8185, 8186, 8187)
+    assert tables[3 + 1024] == (0, 4097, 4098, 4099)
 
 
 def test_four_corners() -> None:
