@@ -1,5 +1,8 @@
 """Chapter 0: results, verdicts, laws and the registry."""
 
+import re
+from pathlib import Path
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -123,3 +126,16 @@ def test_registry() -> None:
     assert sum(len(laws) for laws in CHAPTERS.values()) == len(ALL)
     twice = Law("twice", Clause.CONV_LAW_3, "nothing is said", NUMBERS, lambda _: Holds())
     assert names_given_twice([twice, twice]) == ("twice",)
+
+
+def test_every_reason_stands_in_the_table_of_its_class() -> None:
+    """Clause: CONV-RESULT-3."""
+    chapter = (Path(__file__).parents[2] / "spec" / "00-conventions.md").read_text()
+    stated = {
+        reason: fault
+        for fault in Fault
+        for line in chapter.splitlines()
+        if line.startswith(f"> | `{fault}` |")
+        for reason in re.findall(r"`([a-z-]+)`", line.split("|")[2])
+    }
+    assert stated == {str(reason): reason.fault for reason in Reason}

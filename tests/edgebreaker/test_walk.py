@@ -113,7 +113,10 @@ def test_components_with_boundary_come_first() -> None:
 
 
 def test_all_four_decoders_rebuild_the_examples() -> None:
-    """EB-DECODE-3, EB-FOLD-1, EB-FOLD-2, EB-WRAP-1, EB-WRAP-2, EB-FAST-1, EB-REVERSI-1."""
+    """EB-DECODE-3, EB-FOLD-1, EB-FOLD-2, EB-WRAP-1, EB-WRAP-2, EB-FAST-1.
+
+    EB-REVERSI-1, EB-REVERSI-2, EB-REVERSI-3.
+    """
     for example in (TETRAHEDRON, CUBE, TORUS, ANNULUS, TRIANGLE):
         encoding = encode(example)
         decoded = [

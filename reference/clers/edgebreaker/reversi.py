@@ -23,7 +23,7 @@ def reversi(outlined: Outline) -> Accepted[list[int]] | Rejected:
     """The opposite corner of each corner, or the symbol at which no surface has this stream.
 
     Linear in the word: each edge enters a loop once and leaves it once.
-    Clauses: EB-REVERSI-1, EB-GRAMMAR-5 … EB-GRAMMAR-8.
+    Clauses: EB-REVERSI-1, EB-REVERSI-2, EB-REVERSI-3, EB-GRAMMAR-5 … EB-GRAMMAR-8.
     """
     opposite: list[int] = [BORDER] * (3 * outlined.faces)
     machine = _Loops(outlined, opposite)
