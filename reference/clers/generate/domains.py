@@ -12,6 +12,7 @@ from clers.generate import (
     handles,
     mesh_files,
     meshes,
+    messages,
     relabelled,
     scripts,
     solids,
@@ -29,6 +30,7 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **solids.DOMAINS,
     **mesh_files.DOMAINS,
     **meshes.DOMAINS,
+    **messages.DOMAINS,
     **files.DOMAINS,
     **handles.DOMAINS,
 }
