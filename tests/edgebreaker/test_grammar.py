@@ -57,13 +57,29 @@ CASES: list[Case] = [
         Reason.RECORD_OUTSIDE_BRANCH, Clause.EB_GRAMMAR_6, AtRecord(0),
     ),
     ("SE", (Record(H, 0, 0, R),), 0, Reason.LOOP_TOO_SHORT, Clause.EB_GRAMMAR_6, AtRecord(0)),
+    ("SE", (Record(H, 0, 0, L),), 0, Reason.LOOP_TOO_SHORT, Clause.EB_GRAMMAR_6, AtRecord(0)),
+    # Undoing the second S leaves the left edge of the L alone in a loop, and the first S takes it.
+    (
+        "SSLE", (Record(H, 0, 0, L), Record(H, 1, 1, L)), 0,
+        Reason.LOOP_TOO_SHORT, Clause.EB_GRAMMAR_6, AtRecord(0),
+    ),
     ("SLE", (Record(B, 0, 1, L),), 1, Reason.LOOP_TOO_SHORT, Clause.EB_GRAMMAR_7, AtRecord(0)),
+    # The second S cuts off the left edges of both Ls; the first, to one of them, cuts nothing.
+    (
+        "SSLLE", (Record(B, 0, 1, L), Record(H, 1, 2, L)), 1,
+        Reason.NOT_A_CURVE, Clause.EB_GRAMMAR_7, AtRecord(0),
+    ),
     (
         "SSLE", (Record(H, 0, 0, L), Record(B, 1, 1, L)), 1,
         Reason.NOT_A_CURVE, Clause.EB_GRAMMAR_7, AtRecord(1),
     ),
     ("LE", (), 0, Reason.LOOP_NOT_CLOSED, Clause.EB_GRAMMAR_8, AtSymbol(0)),
     ("SLE", (Record(H, 0, 1, L),), 1, Reason.LOOP_TOO_SHORT, Clause.EB_GRAMMAR_8, AtSymbol(0)),
+    # The S cuts off the left edge of the L, and nothing closes it.
+    (
+        "SRRLE", (Record(H, 0, 3, L),), 1,
+        Reason.LOOP_NOT_CLOSED, Clause.EB_GRAMMAR_8, AtSymbol(3),
+    ),
     ("E", (), 0, Reason.DOUBLE_EDGE, Clause.EB_GRAMMAR_9, AtSymbol(0)),
     (
         "SSLLE", (Record(H, 0, 0, L), Record(H, 1, 2, L)), 0,

@@ -36,7 +36,9 @@ def test_the_alphabet() -> None:
 
 
 def test_the_tetrahedron_step_by_step() -> None:
-    """EB-GATE-1, EB-GATE-2, EB-COMPONENT-2, EB-TRAVERSE-2, -3, -5, EB-ORDER-1, EB-ORDER-3.
+    """EB-GATE-1, EB-GATE-2, EB-COMPONENT-2, EB-TRAVERSE-2, EB-TRAVERSE-3, EB-TRAVERSE-5.
+
+    EB-ORDER-1, EB-ORDER-3.
 
     P is face 0 = (0,1,2). Across its edge 1→2 lies face 2 = (1,3,2), entered from 2 to 1: apex 3 is
     new, C. The right gate leads from 3 to 1 into face 1 = (0,3,1): apex 0 is marked, its right edge
@@ -79,7 +81,8 @@ def test_the_torus_of_figure_22() -> None:
 
 
 def test_the_annulus_step_by_step() -> None:
-    """EB-COMPONENT-1, EB-COMPONENT-4, EB-TRAVERSE-4, -7, EB-HANDLE-2 … -4, EB-ORDER-2.
+    """EB-COMPONENT-1, EB-COMPONENT-4, EB-TRAVERSE-4, EB-TRAVERSE-7, EB-HANDLE-2 …
+    EB-HANDLE-4, EB-ORDER-2.
 
     Faces (2,5,4) (1,2,0) (3,0,2) (2,4,3) (0,5,1) (0,4,5). The edges opposite to corners 0 and 1 of
     face 0 lie in faces 5 and 3 too; that of corner 2, from 2 to 5, lies in no other face. So that

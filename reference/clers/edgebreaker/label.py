@@ -13,7 +13,7 @@ from clers.complexes.surface import BORDER, Corner, Surface, Vertex, next_corner
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
-from clers.conventions.where import AtEdge, AtFace, AtSymbol, AtVertex, Where
+from clers.conventions.where import AtEdge, AtFace, AtSymbol, Where
 from clers.edgebreaker.outline import Outline
 from clers.edgebreaker.stream import Kind
 
@@ -73,19 +73,14 @@ def _name_star(
 def _simplicial(outlined: Outline, glued: Surface) -> Accepted[Surface] | Rejected:
     """Triangles that share two vertices share the edge, and no more. Clause: EB-GRAMMAR-9.
 
-    A loop that was glued rightly can still give two edges, or two faces, on the same vertices. Then
-    the surface read off its face list is another one, or none.
+    A face list that reads as a surface reads as this one. Two edges on the same two vertices that
+    are both inside, or one of them, make an edge with three faces; both on curves, they are run one
+    after the other (a vertex is on one curve, once), and a curve of two edges was refused before.
     """
     no_limit = Limits(glued.faces, glued.vertices)
-    read = surface_of(FaceList(tuple(glued.triangles()), glued.vertices), no_limit)
-    match read:
+    match surface_of(FaceList(tuple(glued.triangles()), glued.vertices), no_limit):
         case Accepted(value):
-            if value.opposite == glued.opposite:
-                return Accepted(glued)
-            pairs = zip(value.opposite, glued.opposite, strict=True)
-            corner = next(c for c, (d, e) in enumerate(pairs) if d != e)
-            here = _symbol_of(outlined, corner // 3)
-            return Rejected(Reason.DOUBLE_EDGE, Clause.EB_GRAMMAR_9, here)
+            return Accepted(value)
         case Rejected(reason, _, where, detail):
             repeated = reason is Reason.REPEATED_INDEX
             why = Reason.REPEATED_VERTEX if repeated else Reason.DOUBLE_EDGE
@@ -97,7 +92,7 @@ def _face_in(where: Where) -> int:
     match where:
         case AtFace(face) | AtEdge(_, _, face):
             return face
-        case AtVertex(_) | _:
+        case _:
             return 0
 
 
