@@ -27,6 +27,10 @@ CASES: list[Case] = [
         Reason.RECORD_ORDER, Clause.EB_GRAMMAR_2, AtRecord(1),
     ),
     (
+        "SSEEE", (Record(H, 0, 0, R), Record(H, 0, 1, R)), 0,
+        Reason.RECORD_ORDER, Clause.EB_GRAMMAR_2, AtRecord(1),
+    ),
+    (
         "SE", (Record(H, 1, 0, R),), 0,
         Reason.RECORD_OUT_OF_RANGE, Clause.EB_GRAMMAR_2, AtRecord(0),
     ),
