@@ -34,6 +34,9 @@ _SURFACES: Final = st.one_of(
 _HANDLES: Final = (LowerHandle, UpperHandle, OneHandle)
 """The operators that few steps of a small surface are, and so are asked for."""
 
+_CUT: Final = (Attach(), Attach(), Attach(), LowerHandle(3))
+"""Enough vertices for a loop to be cut, whatever its length, and the cut."""
+
 _NUMBERS: Final = st.one_of(st.integers(-1, 9), st.integers())
 
 OPERATORS: Final[st.SearchStrategy[Operator]] = st.one_of(
@@ -67,6 +70,8 @@ def handle_steps(draw: st.DrawFn) -> HandleStep:
     cut = draw(st.sampled_from(cuts or range(len(operators))))
     grown = NOTHING
     for operator in operators[:cut]:
+        grown = _after(grown, operator)
+    for operator in _CUT * draw(st.integers(0, 3)):
         grown = _after(grown, operator)
     if draw(st.booleans()):
         return HandleStep(grown, operators[cut])
