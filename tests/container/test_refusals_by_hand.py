@@ -50,6 +50,13 @@ MALFORMED = {
         Clause.FILE_SECTION_4,
         AtByte(27),
     ),
+    "no-head": (file(("WORD", WORD)), Reason.BAD_SECTION, Clause.FILE_SECTION_5, AtByte(9)),
+    "number-without-end": (
+        file(("HEAD", "01 01 04 04 00 80 80 80 80 80"), ("WORD", WORD)),
+        Reason.BAD_NUMBER,
+        Clause.FILE_NUMBER_3,
+        AtByte(26, "HEAD"),
+    ),
     "no-word": (file(("HEAD", HEAD)), Reason.BAD_SECTION, Clause.FILE_SECTION_5, AtByte(32)),
     "hand-not-asked-for": (
         file(("HEAD", HEAD), ("HAND", ""), ("WORD", WORD)),
