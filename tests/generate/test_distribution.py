@@ -7,7 +7,14 @@ import pytest
 
 from clers.generate.distribution import STRATEGIES, Seen, draw, row
 
-EXAMPLES = 400
+EXAMPLES = 200
+SEEDS = 4
+"""So many that each class of a percent or two is drawn, and from several seeds, for one alone
+dwells on what it found.
+
+Hypothesis mixes in numbers that it finds in the program, so that a change anywhere gives other
+examples: a class must not hang on luck.
+"""
 TRIGRAMS = {
     first + second + third
     for first, second, third in product("CLERS", repeat=3)
@@ -19,7 +26,9 @@ BOTH_SOURCES = ("surfaces", "solid-surfaces")
 @cache
 def seen(name: str) -> tuple[Seen, ...]:
     """The examples of a strategy, drawn once."""
-    return draw(STRATEGIES[name], EXAMPLES if name in BOTH_SOURCES else 80, 0)
+    if name in BOTH_SOURCES:
+        return tuple(one for k in range(SEEDS) for one in draw(STRATEGIES[name], EXAMPLES, k))
+    return draw(STRATEGIES[name], 80, 0)
 
 
 @pytest.mark.parametrize("name", BOTH_SOURCES)
@@ -42,13 +51,11 @@ def test_every_number_of_components(name: str, components: int) -> None:
 
 @pytest.mark.parametrize("name", BOTH_SOURCES)
 @pytest.mark.parametrize("closed", [True, False])
-@pytest.mark.parametrize("genus", [0, 1])
-@pytest.mark.parametrize("components", [1, 2])
-def test_combinations(name: str, closed: bool, genus: int, components: int) -> None:
-    assert any(
-        (one.curves == 0) == closed and one.genus == genus and one.components == components
-        for one in seen(name)
-    )
+@pytest.mark.parametrize("handles", [True, False])
+@pytest.mark.parametrize("connected", [True, False])
+def test_combinations(name: str, closed: bool, handles: bool, connected: bool) -> None:
+    wanted = (closed, handles, connected)
+    assert wanted in {(one.curves == 0, one.genus > 0, one.components == 1) for one in seen(name)}
 
 
 @pytest.mark.parametrize("name", BOTH_SOURCES)

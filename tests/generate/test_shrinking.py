@@ -29,9 +29,9 @@ FROM_SCRIPTS: list[tuple[str, Callable[[Surface], bool], int]] = [
     ("closed, with a handle", lambda s: look(s).curves == 0 and look(s).genus > 0, 16),
     ("genus 2", lambda s: look(s).genus >= 2, 28),
     ("two components", lambda s: look(s).components >= 2, 8),
-    ("two curves", lambda s: look(s).curves >= 2, 6),
+    ("two curves", lambda s: look(s).curves >= 2, 10),
     ("two curves of one component", lambda s: any(c.curves > 1 for c in components(s)), 6),
-    ("twenty faces", lambda s: s.faces >= 20, 28),
+    ("twenty faces", lambda s: s.faces >= 20, 36),
 ]
 
 
@@ -43,7 +43,7 @@ def test_scripts(name: str, wanted: Callable[[Surface], bool], bound: int) -> No
 
 
 FROM_SOLIDS: list[tuple[str, Callable[[Surface], bool], int]] = [
-    ("closed, with a handle", lambda s: look(s).curves == 0 and look(s).genus > 0, 60),
+    ("closed, with a handle", lambda s: look(s).curves == 0 and look(s).genus > 0, 84),
 ]
 
 

@@ -2,8 +2,8 @@
 
     python -m clers.generate.distribution --examples 1000 --seed 0
 
-prints the table of chapter 4. The same arguments, and the same versions of Hypothesis and
-manifold3d, print the same table.
+prints the table of chapter 4. The same arguments print the same table, until the program changes,
+or Hypothesis, or manifold3d: Hypothesis mixes in numbers that it finds in the program's source.
 """
 
 from collections import Counter

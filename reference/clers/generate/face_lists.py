@@ -106,7 +106,9 @@ BREAKAGES: Final[Mapping[str, Breakage]] = {
 def face_lists(max_faces: int = 40) -> st.SearchStrategy[FaceList]:
     """Surfaces with up to two breakages, one time in eight loose faces on few vertices."""
     names = list(BREAKAGES)
-    breakages = st.lists(st.tuples(st.sampled_from(names), CHOICES, CHOICES), max_size=2)
+    one = st.tuples(st.sampled_from(names), CHOICES, CHOICES)
+    lists = [st.lists(one, min_size=low, max_size=high) for low, high in ((0, 1), (1, 1), (1, 2))]
+    breakages = st.sampled_from(lists).flatmap(lambda chosen: chosen)
     surfaces = grown(Bounds(max_faces, (1, 2), (0, 1), (0, 3))).map(lambda result: result.mesh)
     broken = st.builds(_broken, surfaces, breakages)
     # Not `one_of`, which counts equal strategies once.

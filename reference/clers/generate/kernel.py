@@ -60,6 +60,10 @@ class Solid(Protocol):
         """Moved."""
         ...
 
+    def refine(self, n: int, /) -> "Solid":
+        """The same solid, each face cut into n² faces."""
+        ...
+
     def num_tri(self) -> int:
         """The number of triangles of its boundary; 0 for the empty solid."""
         ...

@@ -63,10 +63,11 @@ class Hole:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A solid as a list of parts, and the holes in its boundary."""
+    """A solid as a list of parts, and the holes in its boundary, which may be refined before."""
 
     parts: tuple[Part, ...]
     holes: tuple[Hole, ...]
+    refine: bool = False
 
 
 def _shape(part: Part) -> Solid:
@@ -127,6 +128,8 @@ def build(program: Program, max_faces: int) -> Accepted[Mesh] | Rejected:
         combined = other if first else _combined(solid, part, other)
         if 0 < combined.num_tri() <= max_faces:
             solid, first = combined, False
+    if program.refine and 4 * solid.num_tri() <= max_faces:
+        solid = solid.refine(2)
     faces, places = kernel.boundary(solid)
     faces, places = opened(faces, places, program.holes)
     flat = [coordinate for place in places for coordinate in place]
@@ -158,8 +161,8 @@ _TURN: Final = st.integers(0, 6)
 _PLACE: Final = st.integers(-6, 6)
 _PART: Final = st.builds(
     Part,
-    st.sampled_from(list(Combine)),
-    st.sampled_from(list(Shape)),
+    st.sampled_from([*Combine, Combine.APART]),
+    st.sampled_from([*Shape, Shape.PLATE]),
     st.integers(0, 4),
     st.tuples(_SIZE, _SIZE, _SIZE),
     st.tuples(_TURN, _TURN, _TURN),
@@ -169,11 +172,12 @@ _HOLE: Final = st.builds(Hole, st.sampled_from((False, False, False, True)), st.
 
 
 def programs() -> st.SearchStrategy[Program]:
-    """Programs of up to five parts, half of them closed."""
+    """Programs of up to five parts, half of them closed, half of them with refined faces."""
     parts = st.lists(_PART, max_size=5).map(tuple)
-    some, many = st.lists(_HOLE), st.lists(_HOLE, min_size=8)
-    holes = st.sampled_from((st.just([]), st.just([]), some, many)).flatmap(lambda chosen: chosen)
-    return st.builds(Program, parts, holes.map(tuple))
+    closed = st.lists(_HOLE, max_size=0)
+    opened = [st.lists(_HOLE, min_size=low) for low in (0, 5, 10)]
+    holes = st.sampled_from([closed] * 3 + opened).flatmap(lambda chosen: chosen)
+    return st.builds(Program, parts, holes.map(tuple), st.booleans())
 
 
 def solids(max_faces: int = 200) -> st.SearchStrategy[Mesh]:
