@@ -4,7 +4,7 @@ from typing import Final
 
 import pytest
 
-from clers.arithmetic import coder
+from clers.arithmetic import coder, exact
 from clers.arithmetic.bits import Bits, pack, packed
 from clers.arithmetic.coder import Reading
 from clers.arithmetic.steps import HALF, QUARTER, TOP, State, narrow
@@ -54,6 +54,7 @@ def test_one_of_the_largest_total() -> None:
         model = Static((0, 1, MAXIMUM_TOTAL - 1, MAXIMUM_TOTAL))
         assert digits_of(model, symbol) == digits
         assert coder.decode(model, bits(digits), 1) == Accepted((symbol,))
+        assert exact.decode(model, bits(digits), 1) == Accepted((symbol,))
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 31, 32, 33, 1000])
@@ -128,9 +129,19 @@ def test_a_table_that_is_too_large() -> None:
         coder.encode(TOO_LARGE, [1]),
         coder.read(TOO_LARGE, bits("01"), 1),
         coder.decode(TOO_LARGE, bits("01"), 1),
+        exact.encode(TOO_LARGE, [1]),
+        exact.decode(TOO_LARGE, bits("01"), 1),
     ):
         assert isinstance(got, Rejected)
         assert (got.reason, got.where) == (Reason.BAD_TABLE, AtSymbol(0))
+
+
+@pytest.mark.parametrize("symbol", [-1, 1, 3])
+def test_symbols_that_are_not_there(symbol: int) -> None:
+    """INFO-MODEL-5, ARITH-ENCODE-1: below the first, of frequency 0, above the last."""
+    got = coder.encode(Static((0, 1, 1, 2)), [0, 2, symbol, 0])
+    assert isinstance(got, Rejected)
+    assert (got.reason, got.where) == (Reason.NOT_IN_ALPHABET, AtSymbol(2))
 
 
 def test_packing() -> None:
@@ -139,6 +150,8 @@ def test_packing() -> None:
     assert bits("").data == b""
     assert packed(b"\xa0\x60", 11) == Accepted(bits("10100000011"))
     assert packed(b"", 0) == Accepted(bits(""))
+    assert packed(b"\x01", 8) == Accepted(bits("00000001"))
+    assert packed(b"\xff\x80", 9) == Accepted(bits("111111111"))
 
 
 @pytest.mark.parametrize(
@@ -149,6 +162,8 @@ def test_packing() -> None:
         (b"\xa0\x00", 8, Reason.TRAILING_BITS, AtByte(1)),
         (b"\xa0\x00", 0, Reason.TRAILING_BITS, AtByte(0)),
         (b"\xff\xa1", 15, Reason.TRAILING_BITS, AtByte(1)),
+        (b"\xff\x81", 9, Reason.TRAILING_BITS, AtByte(1)),
+        (b"\x00\x00\x20", 18, Reason.TRAILING_BITS, AtByte(2)),
     ],
 )
 def test_bytes_that_do_not_fit(data: bytes, length: int, reason: Reason, where: Where) -> None:

@@ -48,7 +48,7 @@ PRINTED_WIDTHS: Final = (
 
 
 def start() -> Adaptive:
-    made = adaptive((1, 1, 4, 3, 1))
+    made = adaptive((1, 1, 4, 3, 1), increment=1, limit=1 << 16)
     assert isinstance(made, Accepted)
     return made.value
 
@@ -81,7 +81,7 @@ def test_printed_widths() -> None:
 
 def test_learning_a_constant_costs_a_logarithm() -> None:
     """Section 3(c), Limits: 1/2 · 2/3 · … · n/(n+1) telescopes to 1/(n+1). INFO-CONTENT-1."""
-    made = adaptive((1, 1))
+    made = adaptive((1, 1), increment=1, limit=1 << 16)
     assert isinstance(made, Accepted)
     for count in (0, 1, 2, 10, 1000):
         assert probability(made.value, (0,) * count) == Accepted(Fraction(1, count + 1))

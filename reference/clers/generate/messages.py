@@ -87,7 +87,8 @@ TOO_LARGE: Final[Model] = Static((0, 1, MAXIMUM_TOTAL + 1))
 def _any_messages(draw: st.DrawFn) -> Message:
     """An allowed message; often with one symbol replaced, or under a table that is too large."""
     given_ = draw(MESSAGES)
-    place, symbol = draw(st.integers(0, 40)), draw(st.integers(-2, 8))
+    place = draw(st.integers(0, len(given_.symbols)))
+    symbol = draw(st.integers(-1, min(len(given_.model.cumulative), 8)))
     symbols = list(given_.symbols)
     symbols[place : place + 1] = [symbol]
     return draw(
@@ -183,7 +184,11 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = MappingProxyType(
             Narrowing, st.builds(_settled, WORDS, WORDS, st.booleans()), TABLES
         ),
         "any-state": st.tuples(WORDS, WORDS).map(lambda ends: State(min(ends), max(ends))),
-        "declared-bytes": st.builds(Declared, st.binary(max_size=4), st.integers(-1, 34)),
+        "declared-bytes": st.builds(
+            lambda data, less: Declared(data, 8 * len(data) - less),
+            st.binary(max_size=4),
+            st.integers(-9, 9),
+        ),
         "bits": BIT_STRINGS,
     }
 )

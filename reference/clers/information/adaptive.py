@@ -18,8 +18,8 @@ class Adaptive:
     """
 
     cumulative: tuple[int, ...]
-    increment: int = 1
-    limit: int = 1 << 16
+    increment: int
+    limit: int
 
     def after(self, symbol: int) -> "Adaptive":
         """The symbol's frequency raised; all halved if the total passed the limit."""
@@ -31,7 +31,7 @@ class Adaptive:
 
 
 def adaptive(
-    frequencies: Sequence[int], increment: int = 1, limit: int = 1 << 16
+    frequencies: Sequence[int], increment: int, limit: int
 ) -> Accepted[Adaptive] | Rejected:
     """An adaptive model that starts with these frequencies. Clause: INFO-ADAPT-3."""
     fault = bad_frequencies(frequencies)
