@@ -150,3 +150,14 @@ def test_repair_does_what_is_asked_and_says_it(tmp_path: Path) -> None:
     assert done.exit_code == Exit.CONFORMING
     assert "copied as" in done.stdout
     assert clers("info", str(out)).exit_code == Exit.CONFORMING
+
+
+@pytest.mark.parametrize(("name", "starts"), [("w.svg", b"<svg"), ("w.png", b"\x89PNG")])
+def test_the_walk_is_drawn_into_a_file(tmp_path: Path, name: str, starts: bytes) -> None:
+    """TOOL-PICTURE-1: by the suffix; TOOL-PICTURE-10: the steps asked for."""
+    out = tmp_path / name
+    assert clers("trace", RING, "-o", str(out), "--steps", "0,3-5").exit_code == Exit.CONFORMING
+    assert starts in out.read_bytes()[:200]
+    assert clers("trace", RING, "-o", str(tmp_path / "w.gif")).exit_code == Exit.USAGE
+    assert clers("trace", RING, "-o", str(out), "--layout", "round").exit_code == Exit.USAGE
+    assert clers("trace", RING, "-o", str(out), "--steps", "9-7").exit_code == Exit.NOT_CONFORMING

@@ -11,9 +11,12 @@ from clers.conventions.result import Accepted
 from clers.edgebreaker.codec import FAST_ZIP, FOLD, REFERENCE, WRAP_AND_ZIP
 from clers.edgebreaker.encode import encode
 from clers.edgebreaker.examples import ANNULUS, CUBE, TETRAHEDRON, TORUS, TRIANGLE
+from clers.edgebreaker.fast_zip import wrap_and_fast_zip
 from clers.edgebreaker.outline import outline
+from clers.edgebreaker.reversi import reversi
 from clers.edgebreaker.stream import SYMBOLS, Kind, Record, Side, Stream
 from clers.edgebreaker.trace import Entry, trace
+from clers.edgebreaker.wrap_zip import wrap_and_zip
 
 
 def surface_of(*faces: tuple[int, int, int]) -> Surface:
@@ -78,6 +81,28 @@ def test_the_torus_of_figure_22() -> None:
         Record(Kind.HANDLE, 0, 6, Side.RIGHT),
         Record(Kind.HANDLE, 1, 5, Side.RIGHT),
     )
+
+
+def test_the_stack_of_the_torus() -> None:
+    """EB-TRAVERSE-5, EB-TRAVERSE-6: gates are pushed at each S; the last E passes over two.
+
+    P, then CCCCRC S CR S S RL S E E E: the first two E find the left gates of the fourth and the
+    third S; those of the second and the first have been visited, so that the last E empties it.
+    """
+    assert [e.stack for e in traced(TORUS)] == [
+        0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 2, 3, 3, 3, 4, 3, 2, 0
+    ]  # fmt: skip
+    assert [e.euler for e in traced(TORUS)][-4:] == [-3, -2, -1, 0]
+
+
+def test_each_way_to_glue_finds_the_same_edges_by_itself() -> None:
+    """EB-WRAP-1, EB-FAST-1, EB-DECODE-3: on the torus, before any vertex is named."""
+    scanned = outline(encode(TORUS).stream)
+    assert isinstance(scanned, Accepted)
+    backwards = reversi(scanned.value)
+    assert isinstance(backwards, Accepted)
+    assert wrap_and_zip(scanned.value) == backwards.value
+    assert wrap_and_fast_zip(scanned.value) == backwards.value
 
 
 def test_the_annulus_step_by_step() -> None:

@@ -45,7 +45,7 @@ def trace(
         str, typer.Option(help="Draw these steps: 0,5,10-20, or all, or last.")
     ] = "auto",
     layout: Annotated[
-        str, typer.Option(help="flat, or space: seen from the side that shows most; or auto.")
+        str, typer.Option(help="flat, view (from the side that shows most), ribbon, or auto.")
     ] = "auto",
     tree: Annotated[
         bool, typer.Option("--tree", help="Draw the dual tree and the primal remainder too.")

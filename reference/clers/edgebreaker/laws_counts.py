@@ -15,6 +15,7 @@ from clers.edgebreaker.definition import fold, steps
 from clers.edgebreaker.encode import encode
 from clers.edgebreaker.given import outlined
 from clers.edgebreaker.stream import Kind
+from clers.edgebreaker.trace import trace
 from clers.edgebreaker.walk import encode_by_definition
 
 
@@ -107,6 +108,22 @@ def fold_keeps_count(surface: Surface) -> Verdict:
             )
 
 
+def trace_keeps_euler(surface: Surface) -> Verdict:
+    """χ in the trace is χ in the fold, less that of the components before."""
+    encoding = encode(surface)
+    match and_then(steps(encoding.stream), fold):
+        case Rejected() as rejected:
+            return Fails("a fold", rejected.line(), rejected.where)
+        case Accepted(states):
+            entries = trace(surface, encoding, outlined(encoding.stream))
+            before, found = 0, list[int]()
+            for k, entry in enumerate(entries):
+                if k and entry.component != entries[k - 1].component:
+                    before += entries[k - 1].euler
+                found.append(before + entry.euler)
+            return same([state.euler for state in states], found)
+
+
 LAWS: Final[tuple[AnyLaw, ...]] = (
     Law(
         "walk-by-definition",
@@ -143,5 +160,12 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
         "the operators' effects add up to the surface's χ, genus, curves and components",
         SMALL_SURFACES,
         fold_keeps_count,
+    ),
+    Law(
+        "trace-euler",
+        Clause.EB_TRACE_1,
+        "χ after each face of the trace is that of the fold of operators",
+        SMALL_SURFACES,
+        trace_keeps_euler,
     ),
 )
