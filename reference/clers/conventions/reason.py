@@ -86,3 +86,5 @@ class Reason(StrEnum):
     CAME_BACK_CHANGED = "came-back-changed", Fault.INVALID
     UNWRITABLE_FILE = "unwritable-file", Fault.INVALID
     NOT_OBTAINABLE = "not-obtainable", Fault.UNSUPPORTED
+    NOT_DRAWABLE = "not-drawable", Fault.UNSUPPORTED
+    NO_SUCH_STEP = "no-such-step", Fault.INVALID

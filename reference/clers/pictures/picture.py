@@ -1,0 +1,121 @@
+"""Pictures as values: what is seen, not yet how it is written. Lengths in units of a panel."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from clers.complexes.surface import Vertex
+from clers.pictures.drawing import Point
+from clers.pictures.palette import Letter
+from clers.pictures.story import Visit
+
+__all__ = ["Edge", "Gate", "Mark", "Note", "Panel", "Picture", "Point", "Role", "Shape", "State"]
+
+
+class State(StrEnum):
+    """Whether a face is not yet visited, visited, or the one visited last."""
+
+    BLANK = "blank"
+    VISITED = "visited"
+    LAST = "last"
+
+
+class Role(StrEnum):
+    """What an edge of a panel shows."""
+
+    CURVE = "curve"
+    REACHED = "reached"
+    CUT = "cut"
+    REMAINDER = "remainder"
+    TREE = "tree"
+    MORSE = "morse"
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A face: its triangle from the tip on, and how it is seen.
+
+    `far`: from behind. `light`: from 0 to 1. `ring`: the radius of the circle around `centre` that
+    it is drawn as, all inside the triangle belonging to other faces; 0 for the triangle itself.
+    `node` is a place inside it, where links of the dual tree meet.
+    """
+
+    visit: Visit
+    state: State
+    corners: tuple[Point, Point, Point]
+    far: bool
+    light: float
+    ring: float
+    centre: Point
+    node: Point
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """A line that shows something: an edge of the surface, or a link of the dual tree."""
+
+    role: Role
+    path: tuple[Point, Point]
+    far: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Gate:
+    """A gate from its left end to its right end, with the middle of the triangle behind it.
+
+    `waiting` is 0 for the gate to be entered next, and counts from 1 down the stack from its top.
+    """
+
+    waiting: int
+    tail: Vertex
+    head: Vertex
+    path: tuple[Point, Point]
+    into: Point
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A vertex at one of its places; `room` is the length of the shortest edge drawn there."""
+
+    vertex: Vertex
+    at: Point
+    known: bool
+    far: bool
+    room: float
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """A letter beside a side of a surface that was cut open."""
+
+    at: Point
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Panel:
+    """The state after `step` faces. `ground` is in the order of painting. TOOL-PICTURE-1."""
+
+    step: int
+    caption: str
+    ground: tuple[Shape | Edge, ...]
+    gates: tuple[Gate, ...]
+    marks: tuple[Mark, ...]
+    notes: tuple[Note, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """Panels of one size in rows, with a legend. Clauses: TOOL-PICTURE-1 to TOOL-PICTURE-4.
+
+    `width` and `height` are those of a panel's drawing, the greater of them 1, up is up. `pixels`
+    is the length 1. `counts` are the faces of each letter. `turned`: see Drawing.
+    """
+
+    panels: tuple[Panel, ...]
+    columns: int
+    width: float
+    height: float
+    pixels: int
+    labels: bool
+    counts: tuple[tuple[Letter, int], ...]
+    turned: int
