@@ -12,8 +12,8 @@ from clers.information.static import Static
 
 COLOURS: Final = tuple(Fraction(tenths, 10) for tenths in (1, 1, 4, 3, 1))
 BLACK, RED, DARK, LIGHT, WHITE = range(5)
-THIRDS: Final = (Fraction(1, 3),) * 3
-FIRST, STOP, LAST = range(3)
+QUARTERS: Final = (Fraction(1, 4), Fraction(3, 4))
+FIRST, STOP = range(2)
 
 
 def test_printed_intervals_are_not_nested() -> None:
@@ -50,11 +50,11 @@ def test_printed_loop_does_not_end() -> None:
 
 
 def test_printed_coder_sends_nothing_at_the_end() -> None:
-    """ERRATUM-18: of three equal symbols the middle one, alone, is sent as no bits. ARITH-END-1."""
-    bits, passed = encode(THIRDS, (STOP,))
+    """ERRATUM-18: of two symbols, 1/4 and 3/4, the second alone is sent as no bits. ARITH-END-1."""
+    bits, passed = encode(QUARTERS, (STOP,))
     assert bits == ""
-    assert passed == [(Fraction(1, 3), Fraction(2, 3)), (Fraction(1, 6), Fraction(5, 6))]
-    model = Static((0, 1, 2, 3))
+    assert passed == [(Fraction(1, 4), Fraction(1))]
+    model = Static((0, 1, 4))
     assert exact.decode(model, exact.of_number(0, 0), 1) == Accepted((FIRST,))
     ours = coder.encode(model, (STOP,))
     assert isinstance(ours, Accepted)
