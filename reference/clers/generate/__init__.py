@@ -3,11 +3,12 @@
 For a property test of your own encoder:
 
     from hypothesis import given
-    from clers.generate.surfaces import surfaces, face_list_of
+    from clers.complexes.corner_table import face_list
+    from clers.generate.surfaces import surfaces
 
     @given(surfaces(max_faces=60, genus=(0, 2), curves=(0, 0)))
     def test_round_trip(surface):
-        faces = face_list_of(surface).faces
+        faces = face_list(surface).faces
         ...
 
 `surfaces`, `closed_surfaces`, `spheres`, `small_surfaces`, `scripts` are in `surfaces`; `solids`,

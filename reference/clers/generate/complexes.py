@@ -5,7 +5,7 @@ from typing import Final
 
 from hypothesis import strategies as st
 
-from clers.complexes.corner_table import surface
+from clers.complexes.corner_table import face_list, surface
 from clers.complexes.face_list import DEFAULT_LIMITS, FaceList
 from clers.complexes.given import Pair
 from clers.complexes.matching import mates
@@ -14,7 +14,7 @@ from clers.complexes.surface import Surface
 from clers.conventions.result import Accepted
 from clers.generate.relabelled import pair, relabelled
 from clers.generate.scripts import CHOICES
-from clers.generate.surfaces import face_list_of, small_surfaces
+from clers.generate.surfaces import small_surfaces
 from clers.operators.subdivide import flip_edge, relabel
 
 SEEDS: Final = st.integers(0, 1 << 16)
@@ -48,7 +48,7 @@ def _beside(parts: list[Surface]) -> Surface:
 
 
 def _flipped(of: Surface, edges: list[int], seed: int) -> Pair:
-    mesh = face_list_of(of)
+    mesh = face_list(of)
     for edge in edges:
         mesh = flip_edge(mesh, edge).mesh
     return of, pair(_accepted(mesh), seed)[1]
@@ -67,7 +67,7 @@ def repairable(draw: st.DrawFn) -> FaceList:
 
     Vertices are identified only where no edge and no face falls upon another.
     """
-    mesh = face_list_of(draw(small_surfaces()))
+    mesh = face_list(draw(small_surfaces()))
     for i, j in draw(st.lists(st.tuples(CHOICES, CHOICES), max_size=4)):
         pinched = _identified(mesh, i % mesh.vertices, j % mesh.vertices)
         if isinstance(mates(pinched, DEFAULT_LIMITS), Accepted):

@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from typing import Annotated, Final
 
 import typer
-from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 
 from clers.complexes.surface import Surface
 from clers.complexes.topology import components
 from clers.edgebreaker.encode import encode
+from clers.generate.sample import sample
 from clers.generate.solids import solid_surfaces
 from clers.generate.surfaces import closed_surfaces, small_surfaces, spheres, surfaces
 
@@ -57,23 +57,7 @@ def look(at: Surface) -> Seen:
 
 def draw(strategy: st.SearchStrategy[Surface], examples: int, number: int) -> tuple[Seen, ...]:
     """What that many examples show; `number` is the seed."""
-    found: list[Seen] = []
-
-    @seed(number)
-    @settings(
-        max_examples=examples,
-        database=None,
-        deadline=None,
-        derandomize=False,
-        phases=[Phase.generate],
-        suppress_health_check=list(HealthCheck),
-    )
-    @given(strategy)
-    def record(at: Surface) -> None:
-        found.append(look(at))
-
-    record()
-    return tuple(found)
+    return tuple(look(at) for at in sample(strategy, examples, number))
 
 
 HEADER: Final = (

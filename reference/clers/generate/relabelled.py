@@ -5,10 +5,10 @@ from typing import Final
 
 from hypothesis import strategies as st
 
-from clers.complexes.corner_table import surface
+from clers.complexes.corner_table import face_list, surface
 from clers.complexes.surface import Surface
 from clers.conventions.result import Accepted
-from clers.generate.surfaces import face_list_of, surfaces
+from clers.generate.surfaces import surfaces
 from clers.operators.subdivide import relabel
 
 
@@ -22,7 +22,7 @@ def relabelled(
 
 def pair(of: Surface, seed: int) -> tuple[Surface, Surface]:
     """A surface and its relabelling by a seed (OPER-REFINE-4)."""
-    built = surface(relabel(face_list_of(of), seed).mesh)
+    built = surface(relabel(face_list(of), seed).mesh)
     if isinstance(built, Accepted):
         return of, built.value
     raise AssertionError(f"a relabelled surface is none: {built.line()}")

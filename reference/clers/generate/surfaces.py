@@ -10,7 +10,6 @@ from typing import Final
 from hypothesis import strategies as st
 
 from clers.complexes.corner_table import surface
-from clers.complexes.face_list import FaceList
 from clers.complexes.surface import Surface
 from clers.conventions.result import Accepted
 from clers.generate.bounds import Bounds, Grown, Range
@@ -57,11 +56,6 @@ def spheres(max_faces: int = 120) -> st.SearchStrategy[Surface]:
 def small_surfaces(max_faces: int = 40) -> st.SearchStrategy[Surface]:
     """Surfaces small enough for definitions that try everything."""
     return surfaces(max_faces, (0, 1), (0, 3), (1, 2))
-
-
-def face_list_of(of: Surface) -> FaceList:
-    """The face list that a surface came from."""
-    return FaceList(tuple(of.triangles()), of.vertices)
 
 
 def _accepted(result: Grown) -> Surface:
