@@ -96,7 +96,8 @@ class Growing:
 
     `faces` in order of creation, each (apex, left end, right end); `polygons` the infinite faces;
     `loops` the boundary of the component being built, current one last; χ and genus are kept by
-    the operators' effects and never recounted here.
+    the operators' effects and never recounted here. `waiting`: the last loop is a polygon just made
+    over another loop, of another component until the 1-handle joins them; nothing else may act.
     """
 
     faces: tuple[Triangle, ...] = ()
@@ -106,6 +107,7 @@ class Growing:
     components: int = 0
     euler: int = 0
     genus: int = 0
+    waiting: bool = False
 
 
 NOTHING: Final = Growing()
@@ -113,7 +115,7 @@ NOTHING: Final = Growing()
 
 def apply(operator: Operator, grown: Growing) -> Accepted[Growing] | Rejected:
     """One operator on a growing surface. Total. Clauses: OPER-HANDLE-1 … OPER-HANDLE-9."""
-    if _polygon_waits(grown) and not isinstance(operator, OneHandle):
+    if grown.waiting and not isinstance(operator, OneHandle):
         return _refused(Clause.OPER_HANDLE_7, "a new polygon over another loop waits")
     match operator:
         case ZeroHandle():
@@ -164,6 +166,7 @@ def _zero_handle_polygon(grown: Growing, edges: int) -> Accepted[Growing] | Reje
             loops=(*grown.loops, polygon),
             components=grown.components + 1,
             euler=grown.euler + 1,
+            waiting=bool(grown.loops),
         )
     )
 
@@ -174,16 +177,8 @@ def _joined(loop: Loop, other: Loop) -> Loop:
     return (other[0], b, *rest, a, *other)
 
 
-def _polygon_waits(grown: Growing) -> bool:
-    """Is the last loop a new component's polygon, over a loop of the component under construction?
-
-    Any operator but the 1-handle would then take gates of two components for those of one.
-    """
-    return len(grown.loops) > 1 and grown.loops[-1:] == grown.polygons[-1:]
-
-
 def _one_handle(grown: Growing) -> Accepted[Growing] | Rejected:
-    if not _polygon_waits(grown):
+    if not grown.waiting:
         return _refused(
             Clause.OPER_HANDLE_7, "the last loop is not a new polygon over another loop"
         )
@@ -195,6 +190,7 @@ def _one_handle(grown: Growing) -> Accepted[Growing] | Rejected:
             loops=(*below, _joined(loop, polygon)),
             components=grown.components - 1,
             euler=grown.euler - 1,
+            waiting=False,
         )
     )
 

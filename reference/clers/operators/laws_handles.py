@@ -43,8 +43,7 @@ def _effect(step: HandleStep) -> Verdict:
 def broken(before: Growing, operator: Operator) -> frozenset[Clause]:
     """The clauses whose needs are not met; none where the operator applies."""
     loops = before.loops
-    waiting = len(loops) > 1 and loops[-1] in before.polygons
-    if waiting and not isinstance(operator, OneHandle):
+    if before.waiting and not isinstance(operator, OneHandle):
         return frozenset({Clause.OPER_HANDLE_7})
     current = len(loops[-1]) if loops else 0
     needs: dict[Clause, bool]
@@ -64,7 +63,7 @@ def broken(before: Growing, operator: Operator) -> frozenset[Clause]:
             there = 0 < below < len(loops) and 0 <= at < len(loops[-1 - below])
             needs = {Clause.OPER_HANDLE_6: there}
         case OneHandle():
-            needs = {Clause.OPER_HANDLE_7: waiting}
+            needs = {Clause.OPER_HANDLE_7: before.waiting}
         case TwoHandle():
             needs = {Clause.OPER_HANDLE_9: current > 0, Clause.OPER_HANDLE_8: current == 3}
         case _:
