@@ -1,12 +1,13 @@
 """From a walk and a drawing to panels: what is where, at each moment."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import dist
 from typing import Final
 
 from clers.complexes.surface import (
     BORDER,
     Corner,
+    Face,
     Surface,
     Vertex,
     face_of,
@@ -16,7 +17,8 @@ from clers.complexes.surface import (
 from clers.pictures.caption import caption
 from clers.pictures.drawing import Drawing, Point, Ring
 from clers.pictures.picture import Edge, Gate, Mark, Note, Panel, Role, Shape, State
-from clers.pictures.story import Moment, Story, Visit
+from clers.pictures.room import Corners, roomiest
+from clers.pictures.story import Moment, Story
 
 ABOVE: Final = tuple(Role)
 """Roles in the order of painting, where no edge hides behind a face."""
@@ -24,20 +26,20 @@ ABOVE: Final = tuple(Role)
 
 def panel(told: Story, drawing: Drawing, now: Moment, tree: bool, labels: bool) -> Panel:
     """One state of the walk. Clauses: TOOL-PICTURE-1, TOOL-PICTURE-2, TOOL-PICTURE-4."""
-    visit_of = {visit.face: visit for visit in told.visits}
-    shapes = _shapes(told, drawing, now)
+    shapes = tuple(_shapes(told, drawing, now, labels))
+    nodes = {shape.visit.face: shape.node for shape in shapes} if tree else {}
     ground: list[Shape | Edge] = []
     above: list[Edge] = []
     for shape in shapes:
         ground.append(shape)
         if not drawing.ribbon:
-            edges = _edges(told, drawing, shape, now, tree)
+            edges = _edges(told, drawing, shape, now, nodes)
             (ground if drawing.deep else above).extend(edges)
     above.sort(key=lambda edge: ABOVE.index(edge.role))
     waiting = [c for c in (now.gate, *reversed(now.waiting)) if c is not None]
     first = 0 if now.gate is not None else 1
     gates = [
-        _gate(told.surface, drawing, visit_of[face_of(c)], i)
+        _gate(told.surface, drawing, c, i)
         for i, c in enumerate(waiting, first)
         if not drawing.ribbon
     ]
@@ -56,13 +58,13 @@ def middle(*points: Point) -> Point:
     return sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points)
 
 
-def corners_of(drawing: Drawing, tip: Corner) -> tuple[Point, Point, Point]:
+def corners_of(drawing: Drawing, tip: Corner) -> Corners:
     """The places of a triangle's corners, from the tip on."""
     at = drawing.corners
     return at[tip], at[next_corner(tip)], at[previous_corner(tip)]
 
 
-def _shapes(told: Story, drawing: Drawing, now: Moment) -> Iterator[Shape]:
+def _shapes(told: Story, drawing: Drawing, now: Moment, labels: bool) -> Iterator[Shape]:
     """The faces in the order of painting."""
     visit_of = {visit.face: visit for visit in told.visits}
     ring_of = {ring.face: ring for ring in drawing.rings}
@@ -70,6 +72,7 @@ def _shapes(told: Story, drawing: Drawing, now: Moment) -> Iterator[Shape]:
         visit = visit_of[face]
         ring = ring_of.get(face)
         corners = corners_of(drawing, visit.tip)
+        node, room = _node(ring, corners, labels)
         last, blank = visit.step == now.step, visit.step > now.step
         yield Shape(
             visit=visit,
@@ -79,47 +82,69 @@ def _shapes(told: Story, drawing: Drawing, now: Moment) -> Iterator[Shape]:
             light=drawing.light[face],
             ring=ring.radius if ring else 0.0,
             centre=ring.centre if ring else middle(*corners),
-            node=_below(ring, corners) if ring else middle(*corners),
+            node=node,
+            room=room,
         )
 
 
-def _edges(told: Story, drawing: Drawing, shape: Shape, now: Moment, tree: bool) -> Iterator[Edge]:
-    """What the three edges of a face show. An edge between two faces may show it on both sides."""
-    opposite, vertex = told.surface.opposite, told.surface.vertex
-    morse = {*now.morse, *(opposite[c] for c in now.morse)}
-    tip = shape.visit.tip
+def _edges(
+    told: Story, drawing: Drawing, shape: Shape, now: Moment, nodes: Mapping[Face, Point]
+) -> Iterator[Edge]:
+    """What the three edges of a face show. An edge between two faces may show it on both sides.
+
+    `nodes` are where links of the dual tree meet, none if it is not wanted.
+    """
+    opposite, vertex, at = told.surface.opposite, told.surface.vertex, drawing.corners
+    tip, far = shape.visit.tip, shape.far
     for c in (tip, next_corner(tip), previous_corner(tip)):
-        across = opposite[c]
-        path = drawing.corners[next_corner(c)], drawing.corners[previous_corner(c)]
+        tail, head, across = next_corner(c), previous_corner(c), opposite[c]
+        ends, path = (vertex[tail], vertex[head]), (at[tail], at[head])
         if across == BORDER:
-            reached = vertex[next_corner(c)] in now.known
-            yield Edge(Role.REACHED if reached else Role.CURVE, path, shape.far)
+            yield Edge(Role.REACHED if ends[0] in now.known else Role.CURVE, ends, path, far)
         if c in drawing.cuts:
-            yield Edge(Role.CUT, path, shape.far)
-        if c in morse:
-            yield Edge(Role.MORSE, path, shape.far)
-        elif tree and shape.state is not State.BLANK:
+            yield Edge(Role.CUT, ends, path, far)
+        if c in now.morse:
+            yield Edge(Role.MORSE, ends, path, far)
+        elif nodes and shape.state is not State.BLANK:
             if c not in told.crossed:
-                yield Edge(Role.REMAINDER, path, shape.far)
+                yield Edge(Role.REMAINDER, ends, path, far)
             elif told.step_of[across // 3] <= now.step:
-                yield Edge(Role.TREE, (shape.node, middle(*path)), shape.far)
+                link = shape.node, nodes[face_of(across)]
+                through = middle(*path) if c in drawing.cuts else crossing(path, link)
+                yield Edge(Role.TREE, ends, (shape.node, through), far)
 
 
-def _below(ring: Ring, corners: tuple[Point, Point, Point]) -> Point:
-    """A place inside a ring, between its triangle and its lowest point."""
-    low = min(y for _, y in corners)
-    return ring.centre[0], (low + ring.centre[1] - ring.radius) / 2
+def crossing(edge: tuple[Point, Point], link: tuple[Point, Point]) -> Point:
+    """Where a link goes through an edge: on the straight way, but not near the edge's ends."""
+    (ax, ay), (bx, by) = edge
+    (px, py), (qx, qy) = link
+    from_a, from_b = ((qx - px) * (y - py) - (qy - py) * (x - px) for x, y in ((ax, ay), (bx, by)))
+    share = from_a / (from_a - from_b) if from_a != from_b else 0.5
+    share = min(max(share, 0.2), 0.8)
+    return ax + share * (bx - ax), ay + share * (by - ay)
 
 
-def _gate(surface: Surface, drawing: Drawing, visit: Visit, waiting: int) -> Gate:
-    """The gate into a face, on the face's side of the edge. Clause: EB-GATE-1."""
-    _, a, b = corners_of(drawing, visit.tip)
-    into = middle(*corners_of(drawing, visit.tip))
-    if any(ring.face == visit.face for ring in drawing.rings):
+def _node(ring: Ring | None, corners: Corners, labels: bool) -> tuple[Point, float]:
+    """A place inside a face, and the radius of what fits there; in a ring below its triangle.
+
+    The gate into a ring is the lowest side of its triangle, since a disc's border begins with it.
+    """
+    if ring is not None:
+        low = min(y for _, y in corners)
+        foot = ring.centre[1] - ring.radius
+        return (ring.centre[0], (low + foot) / 2), (low - foot) / 2
+    return roomiest(corners) if labels else (middle(*corners), 0.0)
+
+
+def _gate(surface: Surface, drawing: Drawing, tip: Corner, waiting: int) -> Gate:
+    """The gate of a tip, drawn at the face it leads into. Clause: EB-GATE-1."""
+    apex, a, b = corners_of(drawing, tip)
+    into = middle(apex, a, b)
+    if any(ring.face == face_of(tip) for ring in drawing.rings):
         half = middle(a, b)
         into = 2 * half[0] - into[0], 2 * half[1] - into[1]
-    tail, head = next_corner(visit.tip), previous_corner(visit.tip)
-    return Gate(waiting, surface.vertex[tail], surface.vertex[head], (a, b), into)
+    tail, head = surface.vertex[next_corner(tip)], surface.vertex[previous_corner(tip)]
+    return Gate(waiting, tail, head, (a, b), into)
 
 
 def _marks(surface: Surface, drawing: Drawing, now: Moment) -> Iterator[Mark]:

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import dist
 from typing import Final
 
 from clers.pictures.caption import names
@@ -102,12 +101,8 @@ def outline(paper: Paper, shape: Shape) -> Iterator[Item]:
 
 def letter(paper: Paper, shape: Shape, node: bool) -> Iterator[Item]:
     """The letter of a visited face, where it has room; on a disc where it is a `node` of a tree."""
-    room, at = _inscribed(shape.corners)
-    size = min(paper.font * 1.15, 1.25 * room * paper.pixels)
-    if shape.ring:
-        size = paper.font * 1.15
-    if shape.ring or node:
-        at = shape.node
+    size = min(paper.font * 1.15, 1.3 * shape.room * paper.pixels)
+    at = shape.node
     if shape.state is not State.BLANK and not shape.far and size >= 4:
         colour = colour_of(shape)
         if node:
@@ -115,19 +110,6 @@ def letter(paper: Paper, shape: Shape, node: bool) -> Iterator[Item]:
             yield Disc(paper.at(at), 0.72 * size, style, "node")
         ink = readable_on(colour)
         yield Words(paper.at(at), shape.visit.letter.value, size, ink, bold=True)
-
-
-def _inscribed(corners: tuple[Point, Point, Point]) -> tuple[float, Point]:
-    """The radius and the middle of a triangle's inscribed circle."""
-    a, b, c = corners
-    sides = dist(b, c), dist(c, a), dist(a, b)
-    around = sum(sides)
-    if around <= 0:
-        return 0.0, a
-    twice = abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
-    x = sum(side * at[0] for side, at in zip(sides, corners, strict=True))
-    y = sum(side * at[1] for side, at in zip(sides, corners, strict=True))
-    return twice / around, (x / around, y / around)
 
 
 def edge(paper: Paper, shown: Edge) -> Item:

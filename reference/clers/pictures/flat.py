@@ -14,13 +14,16 @@ from clers.pictures.orientation import turned
 from clers.pictures.polygon import border_places
 from clers.pictures.relax import relaxed
 from clers.pictures.table import table_of
-from clers.pictures.tutte import Floats, tutte
+from clers.pictures.tutte import Floats, areas_of, tutte
 
 AROUND: Final = 1.15
 """The radius of a disc's place, and of the ring that shows a sphere's last face."""
 
 BULGES: Final = (0.0, 0.3)
-"""Sides of a cut polygon are straight if that turns no triangle over."""
+"""Sides of a cut polygon are straight, unless a triangle has nothing but points of one side."""
+
+THIN: Final = 1e-9
+"""A triangle of a smaller area might as well lie on a line."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +85,7 @@ def _drawn(surface: Surface, tips: tuple[Corner, ...]) -> _Part:
         places = np.zeros((disc.points, 2))
         places[list(disc.outer)] = border_places(disc, bulge)
         places = tutte(triangles, places, free)
-        if not turned(triangles, places):
+        if float(areas_of(triangles, places).min()) > THIN:
             break
     places = relaxed(triangles, places, free)
     return _Part(tips, disc, places, turned(triangles, places))

@@ -36,7 +36,8 @@ class Shape:
 
     `far`: from behind. `light`: from 0 to 1. `ring`: the radius of the circle around `centre` that
     it is drawn as, all inside the triangle belonging to other faces; 0 for the triangle itself.
-    `node` is a place inside it, where links of the dual tree meet.
+    `node` is a place inside it, where links of the dual tree meet and the letter stands; `room` is
+    the radius of what fits there, or 0 where no letters are wanted.
     """
 
     visit: Visit
@@ -47,13 +48,18 @@ class Shape:
     ring: float
     centre: Point
     node: Point
+    room: float
 
 
 @dataclass(frozen=True, slots=True)
 class Edge:
-    """A line that shows something: an edge of the surface, or a link of the dual tree."""
+    """A line that shows something about an edge of the surface, by the ends it has in a face.
+
+    For the dual tree it is half a link: from inside the face to the edge.
+    """
 
     role: Role
+    ends: tuple[Vertex, Vertex]
     path: tuple[Point, Point]
     far: bool
 

@@ -153,7 +153,7 @@ def _samples(picture: Picture, font: float) -> Iterator[tuple[Sample, str]]:
 
 def _line(role: Role, at: Point, font: float) -> list[Item]:
     paper = Paper(at[0], at[1], font * 1.2, font, fine=False, titled=False)
-    return [edge(paper, Edge(role, ((0.0, 0.0), (1.0, 0.0)), far=False))]
+    return [edge(paper, Edge(role, (Vertex(0), Vertex(0)), ((0.0, 0.0), (1.0, 0.0)), far=False))]
 
 
 def _arrow(now: bool, at: Point, font: float) -> list[Item]:

@@ -40,16 +40,16 @@ class Visit:
 class Moment:
     """The walk after `step` faces. Clause: TOOL-PICTURE-1.
 
-    `gate` is the gate to be entered next, as its tip; `waiting` are those on the stack that will
-    be entered later, the top last; `known` the vertices marked or reached; `morse` the left edges
-    of S with records whose closing triangle is visited, by the corner opposite to them.
+    `gate` is the gate to be entered next, as its tip; `waiting` are those on the stack whose
+    triangles are not visited, the top last; `known` are the vertices marked or reached; `morse` has
+    both corners opposite to the left edge of each S with a record that was met from behind.
     """
 
     step: int
     gate: Corner | None
     waiting: tuple[Corner, ...]
     known: frozenset[Vertex]
-    morse: tuple[Corner, ...]
+    morse: frozenset[Corner]
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,14 +116,13 @@ def moments(told: Story, steps: Iterable[int]) -> tuple[Moment, ...]:
                 while stack and told.step_of[stack.pop() // 3] <= step:
                     pass
         if step in wanted:
+            met = [previous_corner(tip) for tip, at in told.closed_at.items() if at <= step]
             found[step] = Moment(
                 step=step,
                 gate=_gate(told, step),
                 waiting=tuple(c for c in stack if told.step_of[c // 3] > step),
                 known=frozenset(known),
-                morse=tuple(
-                    previous_corner(tip) for tip, at in told.closed_at.items() if at <= step
-                ),
+                morse=frozenset(met) | {opposite[c] for c in met},
             )
     return tuple(found[step] for step in sorted(wanted))
 
