@@ -18,6 +18,7 @@ from clers.geometry import laws as geometry
 from clers.information import laws as information
 from clers.meshfile import laws as meshfile
 from clers.operators import laws as operators
+from clers.pictures import laws as pictures
 
 CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
     {
@@ -29,7 +30,7 @@ CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
         6: codes.LAWS,
         7: geometry.LAWS,
         8: container.LAWS,
-        10: meshfile.LAWS,
+        10: (*meshfile.LAWS, *pictures.LAWS),
     }
 )
 

@@ -10,13 +10,16 @@ from clers.arithmetic.laws import laws_of
 from clers.arithmetic.steps import HALF, QUARTER, State, narrow
 from clers.conventions.result import Accepted
 from clers.conventions.verdict import Holds
-from clers.information.combined import Turns
+from clers.information.combined import Turns, followed, times
 from clers.information.given import Message
 from clers.information.model import MAXIMUM_TOTAL, Slot
 from clers.information.static import Static
 
 FIRST: Final = Slot(3, 16, 20)
 """Leaves a settled state that is not centred, so that every end is within reach of some table."""
+
+EXTREME: Final = Static((0, 1, MAXIMUM_TOTAL - 1, MAXIMUM_TOTAL))
+"""Its first and last symbol choose the outermost few integers, where one too many would show."""
 
 ENDS: Final = [
     at + less for at in (QUARTER, HALF, 3 * QUARTER) for less in (-2, -1, 0, 1)
@@ -48,8 +51,9 @@ def test_exact_ends(end: int, side: int) -> None:
     assert end == (reached.high, reached.low)[side]
     first = Static((0, FIRST.below, FIRST.upto, FIRST.total))
     then = Static((0, upto, total))
-    message = Message(Turns((first, then)), (1, side, 1, side))
-    hold_for(message)
+    model = followed(times(Turns((first, then)), 2), EXTREME)
+    for last in (0, 1, 2):
+        hold_for(Message(model, (1, side, last, last, last)))
 
 
 def hold_for(message: Message) -> None:
