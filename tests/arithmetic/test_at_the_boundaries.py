@@ -7,7 +7,7 @@ import pytest
 from clers.arithmetic.coder import REFERENCE
 from clers.arithmetic.exact import of_number
 from clers.arithmetic.laws import laws_of
-from clers.arithmetic.steps import HALF, QUARTER, State, narrow
+from clers.arithmetic.steps import HALF, QUARTER, State, narrow, offset
 from clers.conventions.result import Accepted
 from clers.conventions.verdict import Holds
 from clers.information.combined import Turns, followed, times
@@ -15,15 +15,26 @@ from clers.information.given import Message
 from clers.information.model import MAXIMUM_TOTAL, Slot
 from clers.information.static import Static
 
-FIRST: Final = Slot(3, 16, 20)
-"""Leaves a settled state that is not centred, so that every end is within reach of some table."""
+FIRST: Final = (Slot(3, 16, 20), Slot(6, 16, 20), Slot(4, 14, 20))
+"""They leave settled states: over three quarters or more; without the lowest; without the highest.
+
+None is centred, so that every end is within reach of some table.
+"""
 
 EXTREME: Final = Static((0, 1, MAXIMUM_TOTAL - 1, MAXIMUM_TOTAL))
 """Its first and last symbol choose the outermost few integers, where one too many would show."""
 
-ENDS: Final = [
-    at + less for at in (QUARTER, HALF, 3 * QUARTER) for less in (-2, -1, 0, 1)
-]  # fmt: skip
+CASES: Final = [
+    (first, middle + less, side)
+    for first, middles in zip(
+        FIRST,
+        ((QUARTER, HALF, 3 * QUARTER), (HALF, 3 * QUARTER), (QUARTER, HALF)),
+        strict=True,
+    )
+    for middle in middles
+    for less in (-2, -1, 0, 1)
+    for side in (0, 1)
+]
 
 
 def cut(width: int, size: int) -> tuple[int, int]:
@@ -35,23 +46,20 @@ def cut(width: int, size: int) -> tuple[int, int]:
     raise AssertionError
 
 
-@pytest.mark.parametrize("end", ENDS)
-@pytest.mark.parametrize("side", [0, 1])
-def test_exact_ends(end: int, side: int) -> None:
+@pytest.mark.parametrize(("first", "end", "side"), CASES)
+def test_exact_ends(first: Slot, end: int, side: int) -> None:
     """ARITH-SHIFT-1, ARITH-SHIFT-2, ARITH-DECODE-2: the new `high`, or the new `low`, is the end.
 
     All laws of messages hold there; the steps of ARITH-CARRY-1 are the other opinion.
     """
-    state = narrow(State(), FIRST)
-    assert state.low < QUARTER
-    assert state.high >= 3 * QUARTER  # settled, so the second symbol meets it
+    state = narrow(State(), first)
+    assert offset(state) is None  # so the second symbol meets it
     upto, total = cut(state.width, end - state.low + (1 - side))
     slot = (Slot(0, upto, total), Slot(upto, total, total))[side]
     reached = narrow(state, slot)
     assert end == (reached.high, reached.low)[side]
-    first = Static((0, FIRST.below, FIRST.upto, FIRST.total))
-    then = Static((0, upto, total))
-    model = followed(times(Turns((first, then)), 2), EXTREME)
+    start, then = Static((0, *first)), Static((0, upto, total))
+    model = followed(times(Turns((start, then)), 2), EXTREME)
     for last in (0, 1, 2):
         hold_for(Message(model, (1, side, last, last, last)))
 

@@ -134,6 +134,7 @@ def test_a_table_that_is_too_large() -> None:
     ):
         assert isinstance(got, Rejected)
         assert (got.reason, got.where) == (Reason.BAD_TABLE, AtSymbol(0))
+        assert str(MAXIMUM_TOTAL + 1) in got.detail
 
 
 @pytest.mark.parametrize("symbol", [-1, 1, 3])

@@ -5,7 +5,7 @@ from typing import Final
 
 from clers.conventions.clause import Clause
 from clers.conventions.result import Accepted, Rejected
-from clers.information.adaptive import Adaptive, adaptive
+from clers.information.adaptive import Adaptive, adaptive, recount
 from clers.information.measure import probability
 from clers.information.model import Model, Slot, slots
 
@@ -92,6 +92,7 @@ def test_halving_by_hand() -> None:
     first = Adaptive((0, 1, 5, 5), increment=3, limit=8).after(1)
     assert first.cumulative == (0, 1, 8, 8)
     assert first.after(1).cumulative == (0, 1, 6, 6)
+    assert recount(first, (1,)) == (1, 5, 0)
 
 
 def test_white_is_still_allowed() -> None:
