@@ -167,3 +167,17 @@ def test_nothing_is_drawn_twice_or_lost(world: tuple[Surface, Positions]) -> Non
     for panel in picture(of, Options(steps=(0, 100)), at).panels:
         assert sorted(s.visit.face for s in shapes_of(panel)) == list(range(of.faces))
     assert drawn == draw(of, encode(of), at, Options(steps=(100, 0, 0)))
+
+
+def test_components_fill_a_square() -> None:
+    """Nine spheres are drawn in three rows. Clause: TOOL-PICTURE-6."""
+    faces = [
+        (4 * k + a, 4 * k + b, 4 * k + c)
+        for k in range(9)
+        for a, b, c in ((0, 1, 2), (0, 3, 1), (1, 3, 2), (0, 2, 3))
+    ]
+    shown = picture(built(faces, 36), Options(steps=(36,)))
+    assert isclose(shown.width, shown.height)
+    rings = {shape.centre for shape in shapes_of(shown.panels[0]) if shape.ring}
+    assert len(rings) == 9
+    assert len({round(y, 6) for _, y in rings}) == 3

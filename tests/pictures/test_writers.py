@@ -1,13 +1,17 @@
 """SVG and PNG: well formed, complete, and the same every time."""
 
+from collections import Counter
+from io import BytesIO
 from struct import unpack
 from xml.etree import ElementTree
 
+from matplotlib.image import imread
 from pictured import globe, picture
 
 from clers.edgebreaker.examples import ANNULUS, CUBE, TORUS
 from clers.pictures.element import Element, document
 from clers.pictures.options import Layout, Options
+from clers.pictures.palette import COLOURS, channels
 from clers.pictures.png import to_png
 from clers.pictures.sheet import scene
 from clers.pictures.svg import number, to_svg
@@ -91,6 +95,18 @@ def test_png_has_the_sides_of_the_scene() -> None:
     assert abs(width - of.width) <= 1
     assert abs(height - of.height) <= 1
     assert to_png(shown) == data
+
+
+def test_png_has_the_colours() -> None:
+    """Each letter of the torus colours some hundred pixels; no face is black: TOOL-PICTURE-13."""
+    shown = picture(TORUS, Options(steps=(18,), size=300))
+    pixels = imread(BytesIO(to_png(shown)), format="png")
+    found = Counter(
+        map(tuple, (pixels[:, :, :3] * 255).round().astype(int).reshape(-1, 3).tolist())
+    )
+    for letter, _ in shown.counts:
+        assert found[channels(COLOURS[letter])] > 300
+    assert found[0, 0, 0] < 300
 
 
 def test_every_kind_of_line_is_painted() -> None:

@@ -12,12 +12,17 @@ from clers.conventions.clause import Clause
 from clers.conventions.law import AnyLaw, Law, every, same
 from clers.conventions.verdict import Fails, Verdict
 from clers.conventions.where import AtFace
+from clers.edgebreaker.encode import encode
+from clers.edgebreaker.given import outlined
+from clers.pictures.cut import cut_edges, ends
+from clers.pictures.disc import disc_of
 from clers.pictures.drawing import Point
 from clers.pictures.options import Options
 from clers.pictures.orientation import orientation
 from clers.pictures.picture import Role, Shape
 from clers.pictures.room import Corners
 from clers.pictures.shown import edges_of, flat_picture, shapes_of
+from clers.pictures.table import curves_of, filled, genus_of, table_of
 
 
 def nothing_overlaps(surface: Surface) -> Verdict:
@@ -97,6 +102,34 @@ def neighbours_meet(surface: Surface) -> Verdict:
     return every(*verdicts)
 
 
+def cuts_leave_discs(surface: Surface) -> Verdict:
+    """A component with handles, its holes filled, is cut along edges of its own into a disc.
+
+    No path of the cut has a loose end, and none goes through a hole's new vertex.
+    """
+    plan = outlined(encode(surface).stream)
+    tips = encode(surface).tip_order
+    verdicts: list[Verdict] = []
+    for part in plan.parts:
+        table = table_of(surface, tips[part.face : part.first + part.stop - part.start])
+        holes = curves_of(table)
+        if genus_of(table, len(holes)) == 0:
+            continue
+        closed = filled(table, holes)
+        cut = cut_edges(closed)
+        disc = disc_of(table)
+        valence = Counter(ends(closed, c)[0] for c in cut)
+        edges = (len(closed.opposite) + len(cut)) // 2
+        verdicts += [
+            same(1, disc.points - edges + closed.faces),
+            same(len(cut), len(disc.outer)),
+            same(len(cut), len(set(disc.outer))),
+            same(True, min(valence.values()) >= 2),
+            same(True, max(valence) < table.real_vertices),
+        ]
+    return every(*verdicts)
+
+
 LAWS: Final[tuple[AnyLaw, ...]] = (
     Law(
         "flat-picture-overlaps-nowhere",
@@ -111,5 +144,12 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
         "neighbours meet in the flat layout, but for cuts of components with handles",
         SURFACES,
         neighbours_meet,
+    ),
+    Law(
+        "cuts-leave-discs",
+        Clause.TOOL_PICTURE_6,
+        "cutting a component with handles along its own edges leaves a disc",
+        SURFACES,
+        cuts_leave_discs,
     ),
 )

@@ -21,10 +21,14 @@ from clers.pictures.options import Options
 from clers.pictures.picture import Panel, Role, State
 from clers.pictures.shown import edges_of, flat_picture, shapes_of
 
+ALL_STEPS: Final = 24
+
 
 def few_steps(surface: Surface) -> tuple[int, ...]:
-    """The beginning, a third, a half, the last step but one, the end."""
+    """All steps of a small surface; of others the beginning, the middle, the end."""
     faces = surface.faces
+    if faces <= ALL_STEPS:
+        return tuple(range(faces + 1))
     return tuple(sorted({0, 1, faces // 3, faces // 2, faces - 1, faces}))
 
 
@@ -165,9 +169,11 @@ def overlay_is_the_tree(surface: Surface) -> Verdict:
 
     morse = ends(c for tree in forest for c in tree.morse)
     rest = ends(c for tree in forest for c in tree.remainder) - morse
+    links = [c for tree in forest for c in tree.crossed]
     panel = with_tree.panels[0]
     return every(
-        same(ends(c for tree in forest for c in tree.crossed), _drawn(panel, Role.TREE)),
+        same(ends(links), _drawn(panel, Role.TREE)),
+        same(2 * len(links), len(edges_of(panel, Role.TREE))),
         same(rest, _drawn(panel, Role.REMAINDER)),
         same(morse, _drawn(panel, Role.MORSE)),
         same(morse, _drawn(without.panels[0], Role.MORSE)),
