@@ -16,7 +16,9 @@ from clers.conventions.where import (
     AtByte,
     AtEdge,
     AtFace,
+    AtPair,
     AtRecord,
+    AtSimplex,
     AtStep,
     AtSymbol,
     AtVertex,
@@ -63,9 +65,11 @@ def test_reject_as_json(capsys: pytest.CaptureFixture[str]) -> None:
         (AtRecord(5), {"record": 5}),
         (AtStep(6), {"step": 6}),
         (AtByte(7, "word"), {"byte": 7, "section": "word"}),
+        (AtSimplex((8, 9)), {"simplex": [8, 9]}),
+        (AtPair((8, 9), (10,)), {"simplex": [8, 9], "other": [10]}),
     ],
 )
-def test_where(where: Where, record: dict[str, int | str]) -> None:
+def test_where(where: Where, record: dict[str, int | str | list[int]]) -> None:
     """Clause: CONV-RESULT-2."""
     assert where_record(where) == record
 

@@ -18,7 +18,9 @@ from clers.conventions.where import (
     AtByte,
     AtEdge,
     AtFace,
+    AtPair,
     AtRecord,
+    AtSimplex,
     AtStep,
     AtSymbol,
     AtVertex,
@@ -39,6 +41,8 @@ ELEMENTS: tuple[Where, ...] = (
     AtStep(0),
     AtByte(0),
     AtByte(0, "word"),
+    AtSimplex((0, 1)),
+    AtPair((0, 1), (2,)),
 )
 
 

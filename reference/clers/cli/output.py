@@ -13,7 +13,9 @@ from clers.conventions.where import (
     AtByte,
     AtEdge,
     AtFace,
+    AtPair,
     AtRecord,
+    AtSimplex,
     AtStep,
     AtSymbol,
     AtVertex,
@@ -66,8 +68,8 @@ def table(heads: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
         line("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
 
 
-def where_record(where: Where) -> dict[str, int | str]:
-    """The element as JSON has it: one key for each number. Clause: CONV-RESULT-2."""
+def where_record(where: Where) -> dict[str, int | str | list[int]]:
+    """The element as JSON has it: a key for each number or list of vertices. CONV-RESULT-2."""
     match where:
         case Whole():
             return {}
@@ -85,6 +87,10 @@ def where_record(where: Where) -> dict[str, int | str]:
             return {"step": index}
         case AtByte(offset, section):
             return {"byte": offset, "section": section}
+        case AtSimplex(vertices):
+            return {"simplex": list(vertices)}
+        case AtPair(first, second):
+            return {"simplex": list(first), "other": list(second)}
         case _:
             assert_never(where)
 

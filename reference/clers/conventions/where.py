@@ -61,9 +61,26 @@ class AtByte:
     section: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class AtSimplex:
+    """The simplex on these vertices, in increasing order."""
+
+    vertices: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AtPair:
+    """Two simplices that do not go together, each by its vertices in increasing order."""
+
+    first: tuple[int, ...]
+    second: tuple[int, ...]
+
+
 WHOLE: Final = Whole()
 
-Where = Whole | AtFace | AtVertex | AtEdge | AtSymbol | AtRecord | AtStep | AtByte
+Where = (
+    Whole | AtFace | AtVertex | AtEdge | AtSymbol | AtRecord | AtStep | AtByte | AtSimplex | AtPair
+)
 
 
 def in_words(where: Where) -> str:
@@ -87,5 +104,13 @@ def in_words(where: Where) -> str:
             return f"at byte {offset}"
         case AtByte(offset, section):
             return f"at byte {offset} (section {section})"
+        case AtSimplex(vertices):
+            return f"at simplex {_listed(vertices)}"
+        case AtPair(first, second):
+            return f"at simplices {_listed(first)} and {_listed(second)}"
         case _:
             assert_never(where)
+
+
+def _listed(vertices: tuple[int, ...]) -> str:
+    return "{" + ", ".join(map(str, vertices)) + "}"

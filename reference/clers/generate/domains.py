@@ -6,15 +6,21 @@ from typing import Final
 from hypothesis import strategies as st
 
 from clers.generate import (
+    attachments,
     complexes,
+    every_dimension,
     face_lists,
     files,
     handles,
+    manifolds,
     mesh_files,
     meshes,
     messages,
+    moves,
+    polytopes,
     relabelled,
     scripts,
+    sheets,
     solids,
     streams,
     surfaces,
@@ -33,6 +39,12 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **messages.DOMAINS,
     **files.DOMAINS,
     **handles.DOMAINS,
+    **every_dimension.DOMAINS,
+    **manifolds.DOMAINS,
+    **polytopes.DOMAINS,
+    **moves.DOMAINS,
+    **sheets.DOMAINS,
+    **attachments.DOMAINS,
 }
 
 

@@ -1,0 +1,7 @@
+"""The laws of complexes of every dimension, their homology and their geometry."""
+
+from typing import Final
+
+from clers.conventions.law import AnyLaw
+
+LAWS: Final[tuple[AnyLaw, ...]] = ()

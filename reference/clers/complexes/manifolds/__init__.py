@@ -1,0 +1,1 @@
+"""Manifolds: decided through links; orientation; the classification of surfaces."""

@@ -1,0 +1,1 @@
+"""Polytopes: polygonal and polyhedral cell complexes, duals, triangulation."""

@@ -1,0 +1,1 @@
+"""Data structures of surfaces as refinements of the complex: half-edges, compact half-edges."""

@@ -1,0 +1,9 @@
+"""Manifolds with prescribed dimension, orientability, genus, curves and components."""
+
+from collections.abc import Mapping
+from typing import Final
+
+from hypothesis import strategies as st
+
+DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {}
+"""The domains of this module, by name."""

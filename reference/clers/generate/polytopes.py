@@ -1,0 +1,9 @@
+"""Polytopes, and surfaces of polygons."""
+
+from collections.abc import Mapping
+from typing import Final
+
+from hypothesis import strategies as st
+
+DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {}
+"""The domains of this module, by name."""

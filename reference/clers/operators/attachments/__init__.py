@@ -1,0 +1,1 @@
+"""Attachments of simplices in every dimension: generic, Euler, manifold, handles."""

@@ -1,0 +1,1 @@
+"""Moves in every dimension: collapses, stellar and bistellar moves, contractions."""

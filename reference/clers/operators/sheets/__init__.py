@@ -1,0 +1,1 @@
+"""Euler and handle operators on surfaces with boundary loops, and their inverses."""
