@@ -14,7 +14,9 @@ from clers.conventions.result import Rejected
 from clers.conventions.where import (
     WHOLE,
     AtByte,
+    AtCell,
     AtEdge,
+    AtEntry,
     AtFace,
     AtPair,
     AtRecord,
@@ -67,6 +69,8 @@ def test_reject_as_json(capsys: pytest.CaptureFixture[str]) -> None:
         (AtByte(7, "word"), {"byte": 7, "section": "word"}),
         (AtSimplex((8, 9)), {"simplex": [8, 9]}),
         (AtPair((8, 9), (10,)), {"simplex": [8, 9], "other": [10]}),
+        (AtCell(2, 11), {"cell": 11, "dimension": 2}),
+        (AtEntry("twin", 12), {"array": "twin", "entry": 12}),
     ],
 )
 def test_where(where: Where, record: dict[str, int | str | list[int]]) -> None:

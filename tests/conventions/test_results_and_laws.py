@@ -16,7 +16,9 @@ from clers.conventions.verdict import Fails, Holds
 from clers.conventions.where import (
     WHOLE,
     AtByte,
+    AtCell,
     AtEdge,
+    AtEntry,
     AtFace,
     AtPair,
     AtRecord,
@@ -43,6 +45,8 @@ ELEMENTS: tuple[Where, ...] = (
     AtByte(0, "word"),
     AtSimplex((0, 1)),
     AtPair((0, 1), (2,)),
+    AtCell(2, 0),
+    AtEntry("twin", 0),
 )
 
 

@@ -11,7 +11,9 @@ import typer
 from clers.conventions.result import Rejected
 from clers.conventions.where import (
     AtByte,
+    AtCell,
     AtEdge,
+    AtEntry,
     AtFace,
     AtPair,
     AtRecord,
@@ -91,6 +93,10 @@ def where_record(where: Where) -> dict[str, int | str | list[int]]:
             return {"simplex": list(vertices)}
         case AtPair(first, second):
             return {"simplex": list(first), "other": list(second)}
+        case AtCell(dimension, number):
+            return {"cell": number, "dimension": dimension}
+        case AtEntry(array, index):
+            return {"array": array, "entry": index}
         case _:
             assert_never(where)
 

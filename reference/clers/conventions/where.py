@@ -76,10 +76,37 @@ class AtPair:
     second: tuple[int, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class AtCell:
+    """Cell number `number` of its dimension, counted from 0."""
+
+    dimension: int
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class AtEntry:
+    """Entry `index` of the array named, counted from 0."""
+
+    array: str
+    index: int
+
+
 WHOLE: Final = Whole()
 
 Where = (
-    Whole | AtFace | AtVertex | AtEdge | AtSymbol | AtRecord | AtStep | AtByte | AtSimplex | AtPair
+    Whole
+    | AtFace
+    | AtVertex
+    | AtEdge
+    | AtSymbol
+    | AtRecord
+    | AtStep
+    | AtByte
+    | AtSimplex
+    | AtPair
+    | AtCell
+    | AtEntry
 )
 
 
@@ -108,6 +135,10 @@ def in_words(where: Where) -> str:
             return f"at simplex {_listed(vertices)}"
         case AtPair(first, second):
             return f"at simplices {_listed(first)} and {_listed(second)}"
+        case AtCell(dimension, number):
+            return f"at {dimension}-cell {number}"
+        case AtEntry(array, index):
+            return f"at entry {index} of {array}"
         case _:
             assert_never(where)
 
