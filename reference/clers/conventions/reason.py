@@ -35,6 +35,18 @@ class Reason(StrEnum):
     ISOLATED_VERTEX = "isolated-vertex", Fault.INVALID
     NON_ORIENTABLE = "non-orientable", Fault.INVALID
     NON_FINITE_COORDINATE = "non-finite-coordinate", Fault.INVALID
+    EMPTY_SIMPLEX = "empty-simplex", Fault.INVALID
+    SHARED_VERTEX = "shared-vertex", Fault.INVALID
+    NOT_PURE = "not-pure", Fault.INVALID
+    MISSING_FACE = "missing-face", Fault.INVALID
+    DEGENERATE_SIMPLEX = "degenerate-simplex", Fault.INVALID
+    SIMPLICES_OVERLAP = "simplices-overlap", Fault.INVALID
+    UNSUPPORTED_DIMENSION = "unsupported-dimension", Fault.UNSUPPORTED
+    BAD_FRONTIER = "bad-frontier", Fault.INVALID
+    INCOHERENT_CELLS = "incoherent-cells", Fault.INVALID
+    NOT_A_MANIFOLD = "not-a-manifold", Fault.INVALID
+    HAS_BOUNDARY = "has-boundary", Fault.INVALID
+    BROKEN_INVARIANT = "broken-invariant", Fault.INVALID
     TOO_MANY_FACES = "too-many-faces", Fault.LIMIT
     TOO_MANY_VERTICES = "too-many-vertices", Fault.LIMIT
     # operators (chapter 4)
