@@ -53,6 +53,11 @@ class Reason(StrEnum):
     OPERATOR_NOT_APPLICABLE = "operator-not-applicable", Fault.INVALID
     UNKNOWN_OPERATOR = "unknown-operator", Fault.MALFORMED
     BAD_OPERAND = "bad-operand", Fault.MALFORMED
+    MISSING_SIMPLEX = "missing-simplex", Fault.INVALID
+    PRESENT_SIMPLEX = "present-simplex", Fault.INVALID
+    NOT_FREE = "not-free", Fault.INVALID
+    WRONG_LINK = "wrong-link", Fault.INVALID
+    LINK_CONDITION = "link-condition", Fault.INVALID
     # words and handle data (chapter 5)
     UNKNOWN_SYMBOL = "unknown-symbol", Fault.INVALID
     EMPTY_WORD = "empty-word", Fault.INVALID
