@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
-from clers.complexes.simplicial import Complex
+from clers.complexes.simplicial import Complex, Simplex
 
 
 class Flaw(StrEnum):
@@ -43,6 +43,14 @@ class Undecided:
     """Neither recognised nor refuted; what was tried, in words. Clause: CPLX-SPHERE-2."""
 
     why: str
+
+
+@dataclass(frozen=True, slots=True)
+class NotManifold:
+    """Refuted, with the simplex to blame. Clauses: CPLX-MANIFOLD-3, CPLX-MANIFOLD-6."""
+
+    simplex: Simplex
+    flaw: Flaw
 
 
 LinkKind = Sphere | Ball | Neither | Undecided
