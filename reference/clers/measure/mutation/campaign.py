@@ -1,0 +1,217 @@
+"""A campaign: mutants drawn, tests chosen, fates collected."""
+
+import importlib
+import importlib.util
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from fnmatch import fnmatch
+from pathlib import Path
+from random import Random
+from typing import Final
+
+import msgspec
+
+from clers.measure.mutation.child import Child, Limits, answers, finish, start
+from clers.measure.mutation.mutant import Mutant, difference, mutated
+from clers.measure.mutation.mutants import mutants
+from clers.measure.mutation.outcome import Baseline, Fate, Judged, Report, Subject, Trial
+from clers.measure.mutation.trial import baseline, trial
+from clers.measure.mutation.vocabulary import vocabulary
+
+JUDGES: Final = ("laws*", "given*")
+"""Modules that state laws and domains: they judge, so a package's name does not stand for them."""
+
+GRACE: Final = 2.0
+FACTOR: Final = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What to do: modules, tests, how many mutants, and how.
+
+    `sample` is None for all mutants; `memory` is in bytes.
+    """
+
+    subjects: tuple[Subject, ...]
+    root: str
+    tests: tuple[str, ...]
+    sample: int | None
+    seed: int
+    workers: int
+    memory: int
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A mutant of a module, in the sample."""
+
+    subject: Subject
+    mutant: Mutant
+
+
+def subjects(names: Sequence[str], without: Sequence[str]) -> tuple[Subject, ...] | str:
+    """The modules that names stand for, or the name that no module has.
+
+    A package stands for all its modules but those of laws and domains, and those whose dotted
+    name matches a pattern of `without`.
+    """
+    found: dict[str, Subject] = {}
+    for name in names:
+        try:
+            spec = importlib.util.find_spec(name)
+        except ModuleNotFoundError:
+            spec = None
+        if spec is None or spec.origin is None:
+            return name
+        if spec.submodule_search_locations is None:
+            found[name] = _subject(name, Path(spec.origin))
+            continue
+        folder = Path(spec.origin).parent
+        for path in sorted(folder.rglob("*.py")):
+            parts = path.relative_to(folder).with_suffix("").parts
+            module = ".".join((name, *(part for part in parts if part != "__init__")))
+            judges = any(fnmatch(part, pattern) for part in parts for pattern in JUDGES)
+            if not judges and not any(fnmatch(module, pattern) for pattern in without):
+                found[module] = _subject(module, path)
+    return tuple(found[module] for module in sorted(found))
+
+
+def _subject(module: str, path: Path) -> Subject:
+    return Subject(module, str(path.resolve()), path.read_text(encoding="utf-8"))
+
+
+def draw(plan: Plan) -> tuple[int, tuple[Drawn, ...]]:
+    """The number of all mutants, and the sample, by place. Clause: TOOL-MUTATION-5."""
+    spec = importlib.util.find_spec(plan.root)
+    assert spec is not None, "a subject of it was found"
+    assert spec.origin is not None, "it is no namespace"
+    words = vocabulary(Path(spec.origin).parent)
+    every = [Drawn(of, mutant) for of in plan.subjects for mutant in mutants(of.source, words)]
+    if plan.sample is None or plan.sample >= len(every):
+        return len(every), tuple(every)
+    chosen = sorted(Random(plan.seed).sample(range(len(every)), plan.sample))
+    return len(every), tuple(every[i] for i in chosen)
+
+
+def reached(drawn: Drawn, known: Baseline) -> tuple[str, ...]:
+    """The tests that can kill a mutant. Clause: TOOL-MUTATION-4."""
+    names = tuple(known.tests)
+    lines = known.lines.get(drawn.subject.path, {})
+    span = range(drawn.mutant.first, drawn.mutant.last + 1)
+    at = {test for line in span for test in lines.get(line, ())}
+    if -1 not in at:
+        return tuple(names[i] for i in sorted(at))
+    at_module = {test for tests in lines.values() for test in tests}
+    first = [*sorted(at - {-1}), *sorted(at_module - at)]
+    rest = [i for i in range(len(names)) if i not in at_module]
+    return tuple(names[i] for i in (*first, *rest))
+
+
+def run(plan: Plan, step: Callable[[str], None]) -> Report | str:
+    """Try every drawn mutant, or say why the tests cannot be run. Clause: TOOL-MUTATION-3.
+
+    Ended by Ctrl-C it reports what was found until then.
+    """
+    known = _baseline(plan)
+    if isinstance(known, str):
+        return known
+    for name in known.loaded:
+        with suppress(ImportError):
+            importlib.import_module(name)
+    total, sample = draw(plan)
+    judged: dict[Drawn, Trial] = {}
+    _try_all(plan, sample, known, judged, step)
+    fates = Counter(found.fate for found in judged.values())
+    gone = fates[Fate.KILLED] + fates[Fate.TIMED_OUT]
+    return Report(
+        modules=tuple(of.module for of in plan.subjects),
+        tests=plan.tests,
+        sample=plan.sample,
+        seed=plan.seed,
+        mutants=total,
+        sampled=len(sample),
+        complete=len(judged) == len(sample),
+        killed=fates[Fate.KILLED],
+        timed_out=fates[Fate.TIMED_OUT],
+        survived=fates[Fate.SURVIVED],
+        unreached=fates[Fate.UNREACHED],
+        score=gone / max(1, len(judged)),
+        left_out=known.failed,
+        judged=tuple(_judged(drawn, judged[drawn]) for drawn in sample if drawn in judged),
+    )
+
+
+def _judged(drawn: Drawn, found: Trial) -> Judged:
+    change = difference(drawn.subject.source, drawn.mutant)
+    return Judged(drawn.subject.module, drawn.mutant, change, found.fate, found.by)
+
+
+def _baseline(plan: Plan) -> Baseline | str:
+    """Run the tests once, in a child, for nothing of the package is to stay imported."""
+    child = start(
+        lambda _: baseline(plan.subjects, plan.root, plan.tests), Limits(plan.memory, 3600.0)
+    )
+    while not any(answers([child])):
+        pass
+    answer = finish(child)
+    if not answer:
+        return "the tests could not be run"
+    known = msgspec.json.decode(answer, type=Baseline)
+    return known if known.tests else "no test passes"
+
+
+def _try_all(
+    plan: Plan,
+    sample: Sequence[Drawn],
+    known: Baseline,
+    judged: dict[Drawn, Trial],
+    step: Callable[[str], None],
+) -> None:
+    """Put the fate of each mutant into `judged`; on Ctrl-C end what runs, and keep what is done."""
+    running: dict[int, tuple[Child, Drawn]] = {}
+    kills: Counter[tuple[str, str]] = Counter()
+    waiting = list(reversed(sample))
+    try:
+        while waiting or running:
+            while waiting and len(running) < plan.workers:
+                drawn = waiting.pop()
+                names = reached(drawn, known)
+                step(f"{drawn.subject.module}:{drawn.mutant.place}")
+                if not names:
+                    judged[drawn] = Trial(Fate.UNREACHED)
+                    continue
+                killers = {n: kills[drawn.subject.module, n] for n in names}
+                child = _start(plan, drawn, limits(names, killers, known))
+                running[child.pid] = (child, drawn)
+            for child in list(answers([child for child, _ in running.values()])):
+                _, drawn = running.pop(child.pid)
+                answer = finish(child)
+                # No answer: ended for its memory, its time, or a crash of the interpreter.
+                found = msgspec.json.decode(answer or b'{"fate":"timed-out"}', type=Trial)
+                judged[drawn] = found
+                kills[drawn.subject.module, found.by] += found.fate is Fate.KILLED
+    except KeyboardInterrupt:
+        pass
+    finally:
+        for child, _ in running.values():
+            finish(child)
+
+
+def limits(
+    names: Sequence[str], killers: Mapping[str, int], known: Baseline
+) -> Mapping[str, float]:
+    """Seconds of processor time for each test, in the order in which to run them.
+
+    First those that killed most in this module, then the quick ones. Clause: TOOL-MUTATION-3.
+    """
+    place = {name: i for i, name in enumerate(names)}
+    order = sorted(names, key=lambda n: (-killers[n], known.tests[n], place[n]))
+    return {name: GRACE + FACTOR * known.tests[name] for name in order}
+
+
+def _start(plan: Plan, drawn: Drawn, seconds: Mapping[str, float]) -> Child:
+    source = mutated(drawn.subject.source, drawn.mutant)
+    within = Limits(plan.memory, 60.0 + 10.0 * sum(seconds.values()))
+    return start(lambda write: trial(drawn.subject, source, plan.root, seconds, write), within)
