@@ -30,7 +30,7 @@ Groups = tuple[tuple[int, tuple[int, ...]], ...]
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """A complex and what is known of it. Clause: CPLX-COMPLEX-1.
+    """A complex and what is known of it. Clause: CPLX-KNOWN-1.
 
     `f_vector[m]`, `gf2[m]`, `q[m]`, `z[m]` are about dimension m: the number of simplices, the
     Betti numbers over GF(2) and Q, the homology over Z. `boundary` is the f-vector of the boundary,

@@ -51,7 +51,10 @@ def star(k: Complex, simplex: Simplex) -> frozenset[Simplex]:
 
 
 def link(k: Complex, simplex: Simplex) -> Complex:
-    """The simplices off the given one that span a simplex with it. Clause: CPLX-COMPLEX-4."""
+    """The simplices off the given one that span a simplex with it.
+
+    Clauses: CPLX-COMPLEX-4, CPLX-STAR-4.
+    """
     whole = k.simplices
     return Complex(frozenset(s for s in whole if not s & simplex and s | simplex in whole))
 
@@ -70,7 +73,10 @@ def boundary(k: Complex) -> Complex:
 
 
 def pieces(k: Complex) -> tuple[Complex, ...]:
-    """The connected components, by their lowest vertices. Clause: CPLX-COMPLEX-6."""
+    """The connected components, by their lowest vertices.
+
+    Clauses: CPLX-COMPLEX-6, CPLX-PART-3.
+    """
     left = set(k.simplices)
     found: list[Complex] = []
     while left:
