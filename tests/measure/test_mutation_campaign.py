@@ -68,6 +68,10 @@ def test_eats():
 
 def test_that_fails():
     assert small(9)
+
+def test_that_passes_once():
+    assert idle(5) == [5]
+    Path("once").touch(exist_ok=False)
 """
 
 FATES: Mapping[tuple[str, str], tuple[Fate, str]] = {
@@ -133,7 +137,10 @@ def test_fates_of_a_toy(toy: Path) -> None:
         for old, new in [judged.difference.split("\n")]
     }
     assert {change: found[change] for change in FATES} == FATES
-    assert report.left_out == ("tests/test_toy.py::test_that_fails",)
+    assert report.left_out == (
+        "tests/test_toy.py::test_that_fails",
+        "tests/test_toy.py::test_that_passes_once",
+    )
     counts = (report.killed, report.timed_out, report.survived, report.unreached)
     assert counts == tuple(sum(j.fate is fate for j in report.judged) for fate in Fate)
     assert report.mutants == report.sampled == len(report.judged) == sum(counts)
@@ -220,7 +227,7 @@ def test_interrupted_it_reports_what_was_done(toy: Path) -> None:
         cwd=toy, stdout=subprocess.PIPE, text=True,
     )  # fmt: skip
     end = monotonic() + 60
-    while not ((toy / "ran").exists() and (toy / "ran").stat().st_size >= 3):
+    while not ((toy / "ran").exists() and (toy / "ran").stat().st_size >= 4):
         assert monotonic() < end
         sleep(0.05)
     os.kill(begun.pid, signal.SIGINT)

@@ -16,7 +16,7 @@ import msgspec
 from clers.measure.mutation.child import Child, Limits, answers, finish, start
 from clers.measure.mutation.mutant import Mutant, difference, mutated
 from clers.measure.mutation.mutants import mutants
-from clers.measure.mutation.outcome import Baseline, Fate, Judged, Report, Subject, Trial
+from clers.measure.mutation.outcome import ON_IMPORT, Baseline, Fate, Judged, Report, Subject, Trial
 from clers.measure.mutation.trial import baseline, trial
 from clers.measure.mutation.vocabulary import vocabulary
 
@@ -101,10 +101,10 @@ def reached(drawn: Drawn, known: Baseline) -> tuple[str, ...]:
     lines = known.lines.get(drawn.subject.path, {})
     span = range(drawn.mutant.first, drawn.mutant.last + 1)
     at = {test for line in span for test in lines.get(line, ())}
-    if -1 not in at:
+    if ON_IMPORT not in at:
         return tuple(names[i] for i in sorted(at))
     at_module = {test for tests in lines.values() for test in tests}
-    first = [*sorted(at - {-1}), *sorted(at_module - at)]
+    first = [*sorted(at - {ON_IMPORT}), *sorted(at_module - at)]
     rest = [i for i in range(len(names)) if i not in at_module]
     return tuple(names[i] for i in (*first, *rest))
 
@@ -120,6 +120,9 @@ def run(plan: Plan, step: Callable[[str], None]) -> Report | str:
     for name in known.loaded:
         with suppress(ImportError):
             importlib.import_module(name)
+    known = _steady(plan, known)
+    if not known.tests:
+        return "no test passes"
     total, sample = draw(plan)
     judged: dict[Drawn, Trial] = {}
     _try_all(plan, sample, known, judged, step)
@@ -162,6 +165,43 @@ def _baseline(plan: Plan) -> Baseline | str:
     return known if known.tests else "no test passes"
 
 
+def _steady(plan: Plan, known: Baseline) -> Baseline:
+    """Try the unchanged source as if it were a mutant, without the tests that fail then."""
+    unchanged = plan.subjects[0]
+    left_out: list[str] = []
+    while len(left_out) < len(known.tests):
+        names = [name for name in known.tests if name not in left_out]
+        seconds = limits(names, dict.fromkeys(names, 0), known)
+        child = _start(plan, unchanged, unchanged.source, seconds)
+        found = _answer(child)
+        if found.fate is Fate.SURVIVED:
+            break
+        left_out.extend([found.by] if found.by in known.tests else names)
+    names = [name for name in known.tests if name not in left_out]
+    number = {i: names.index(name) for i, name in enumerate(known.tests) if name in names}
+    lines = {
+        path: {
+            line: tuple(number.get(i, i) for i in tests if i == ON_IMPORT or i in number)
+            for line, tests in by_line.items()
+        }
+        for path, by_line in known.lines.items()
+    }
+    passed = {name: known.tests[name] for name in names}
+    return Baseline(passed, (*known.failed, *left_out), lines, known.loaded)
+
+
+def _answer(child: Child) -> Trial:
+    """Wait for a child's verdict on a mutant."""
+    while not any(answers([child])):
+        pass
+    return _trial(finish(child))
+
+
+def _trial(answer: bytes) -> Trial:
+    """No answer: the child was ended for its time, or the interpreter crashed."""
+    return msgspec.json.decode(answer, type=Trial) if answer else Trial(Fate.TIMED_OUT)
+
+
 def _try_all(
     plan: Plan,
     sample: Sequence[Drawn],
@@ -183,14 +223,13 @@ def _try_all(
                     judged[drawn] = Trial(Fate.UNREACHED)
                     continue
                 killers = {n: kills[drawn.subject.module, n] for n in names}
-                child = _start(plan, drawn, limits(names, killers, known))
+                source = mutated(drawn.subject.source, drawn.mutant)
+                seconds = limits(names, killers, known)
+                child = _start(plan, drawn.subject, source, seconds)
                 running[child.pid] = (child, drawn)
             for child in list(answers([child for child, _ in running.values()])):
                 _, drawn = running.pop(child.pid)
-                answer = finish(child)
-                # No answer: ended for its memory, its time, or a crash of the interpreter.
-                found = msgspec.json.decode(answer or b'{"fate":"timed-out"}', type=Trial)
-                judged[drawn] = found
+                judged[drawn] = found = _trial(finish(child))
                 kills[drawn.subject.module, found.by] += found.fate is Fate.KILLED
     except KeyboardInterrupt:
         pass
@@ -211,7 +250,7 @@ def limits(
     return {name: GRACE + FACTOR * known.tests[name] for name in order}
 
 
-def _start(plan: Plan, drawn: Drawn, seconds: Mapping[str, float]) -> Child:
-    source = mutated(drawn.subject.source, drawn.mutant)
+def _start(plan: Plan, subject: Subject, source: str, seconds: Mapping[str, float]) -> Child:
+    """Begin to run tests on another source of a module."""
     within = Limits(plan.memory, 60.0 + 10.0 * sum(seconds.values()))
-    return start(lambda write: trial(drawn.subject, source, plan.root, seconds, write), within)
+    return start(lambda write: trial(subject, source, plan.root, seconds, write), within)

@@ -2,8 +2,12 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Final
 
 from clers.measure.mutation.mutant import Mutant
+
+ON_IMPORT: Final = -1
+"""What stands among the numbers of tests for lines that importing executes."""
 
 
 class Fate(StrEnum):
@@ -48,7 +52,7 @@ class Baseline:
     """What the tests do on the unchanged source.
 
     `tests` maps each test that passes to its seconds, in order; `failed` has the others. `lines`
-    has for each file and line the numbers of the tests that execute it, −1 for the import.
+    has for each file and line the numbers of the tests that execute it.
     `loaded` are the modules that were imported.
     """
 

@@ -13,7 +13,7 @@ import coverage
 import msgspec
 import pytest
 
-from clers.measure.mutation.outcome import Baseline, Fate, Subject, Trial
+from clers.measure.mutation.outcome import ON_IMPORT, Baseline, Fate, Subject, Trial
 from clers.measure.mutation.served import forget, serve
 
 QUIET: Final = ("-q", "-x", "-p", "no:cacheprovider", "--import-mode=prepend")
@@ -67,7 +67,7 @@ def baseline(subjects: Sequence[Subject], root: str, tests: Sequence[str]) -> by
     pytest.main([*(option for option in QUIET if option != "-x"), *tests], plugins=[recorder])
     traced.stop()
     passed = {n: s for n, s in recorder.seconds.items() if n not in recorder.failed}
-    number = {name: i for i, name in enumerate(passed)} | {"": -1}
+    number = {name: i for i, name in enumerate(passed)} | {"": ON_IMPORT}
     data = traced.get_data()
     lines = {
         path: {
