@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from clers.conventions.law import AnyLaw
 from clers.conventions.verdict import Holds
-from clers.generate.messages import DOMAINS
+from clers.generate.domains import DOMAINS
 from clers.information.laws import LAWS
 
 
