@@ -11,8 +11,9 @@ from time import monotonic, sleep
 import msgspec
 import pytest
 
-from clers.measure.mutation.campaign import Plan, draw, limits, reached, subjects
+from clers.measure.mutation.campaign import limits, reached
 from clers.measure.mutation.outcome import Baseline, Fate, Report
+from clers.measure.mutation.sample import draw, subjects
 
 TOY = '''
 """A toy."""
@@ -171,8 +172,8 @@ def test_sample_by_the_seed_alone(toy: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert [of.module for of in found] == ["toy", "toy.other", "toy.sums"]
 
     def drawn(sample: int | None, seed: int) -> tuple[str, ...]:
-        total, chosen = draw(Plan(found, "toy", (), sample, seed, 1, 0))
-        assert total == len(draw(Plan(found, "toy", (), None, 0, 1, 0))[1])
+        total, chosen = draw(found, "toy", sample, seed)
+        assert total == len(draw(found, "toy", None, 0)[1])
         return tuple(f"{d.subject.module} {d.mutant}" for d in chosen)
 
     every = drawn(None, 1)
@@ -193,7 +194,7 @@ def test_tests_that_execute_the_statement(toy: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.syspath_prepend(toy)
     found = subjects(["toy.sums"], [])
     assert not isinstance(found, str)
-    _, every = draw(Plan(found, "toy", (), None, 1, 1, 0))
+    _, every = draw(found, "toy", None, 1)
     tests = {"a": 1.0, "b": 0.5, "c": 0.2, "d": 0.1}
     path = found[0].path
     known = Baseline(tests, (), {path: {4: (-1,), 9: (1, 2), 13: (0,)}}, ())

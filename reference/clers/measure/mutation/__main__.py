@@ -9,8 +9,9 @@ import msgspec
 import typer
 
 from clers.cli.output import Exit, line, note, progress, stop, table
-from clers.measure.mutation.campaign import Plan, run, subjects
+from clers.measure.mutation.campaign import Plan, run
 from clers.measure.mutation.outcome import Fate, Report
+from clers.measure.mutation.sample import subjects
 
 
 def main(
