@@ -1,4 +1,4 @@
-"""Checkers of certificates, which read the tutorial's definition aloud and share no step of `orient`.
+"""Checkers of certificates: they read the definition aloud and share no step with `orient`.
 
 An orientation is checked wall by wall, a one-sided cycle by carrying an ordering around it.
 """

@@ -35,7 +35,8 @@ class Distinct:
 def classify(k: Complex) -> Accepted[Types] | Rejected:
     """The type of each component of a surface, by their lowest vertices. Linear.
 
-    Rejects what is no 2-manifold, with the simplex to blame. Clauses: CPLX-CLASSIFY-1, -5.
+    Rejects what is no 2-manifold, with the simplex to blame. Clauses: CPLX-CLASSIFY-1,
+    CPLX-CLASSIFY-5; its witnesses: CPLX-CLASSIFY-6, CPLX-CLASSIFY-7.
     """
     if dimension(k) != 2:
         detail = f"dimension {dimension(k)}"

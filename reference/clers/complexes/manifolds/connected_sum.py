@@ -1,4 +1,4 @@
-"""The connected sum: an n-simplex is taken out of each of two complexes, and the holes are glued."""
+"""The connected sum: an n-simplex is taken out of each of two complexes, the holes are glued."""
 
 from dataclasses import dataclass
 

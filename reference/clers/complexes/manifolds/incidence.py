@@ -38,7 +38,10 @@ def flaw_at_a_wall(k: Complex) -> NotManifold | None:
 
 
 def rim(k: Complex) -> Complex:
-    """The boundary of a pure complex, `simplicial.boundary`. Clause: CPLX-COMPLEX-5."""
+    """The boundary of a pure complex, `simplicial.boundary`; closed if it is that of a manifold.
+
+    Clauses: CPLX-COMPLEX-5, CPLX-MANIFOLD-9.
+    """
     return closure(wall for wall, sides in walls(k).items() if len(sides) == 1)
 
 

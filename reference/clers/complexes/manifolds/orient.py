@@ -32,8 +32,9 @@ class OneSided:
 def orient(k: Complex) -> Oriented | OneSided | Rejected:
     """A coherent orientation, or the cycle that refutes it. Linear.
 
-    In each strongly connected part the lowest n-simplex is positive. Rejects what is not pure or
-    has a wall in three. Clauses: CPLX-COHERENT-3, CPLX-COHERENT-4, CPLX-COHERENT-8.
+    In each strongly connected part the lowest n-simplex is positive, one choice of two for each.
+    Rejects what is not pure or has a wall in three. Clauses: CPLX-COHERENT-3 … CPLX-COHERENT-6,
+    CPLX-COHERENT-8.
     """
     fault = flaw_at_a_wall(k)
     if fault is not None:

@@ -60,6 +60,7 @@ def joined(apex: int, wall: OrientedSimplex) -> OrientedSimplex:
 def induced(of: OrientedSimplex, apex: int) -> OrientedSimplex:
     """The wall opposite to a vertex, so that apex and wall make up the simplex. CPLX-COHERENT-2.
 
+    Induced on the boundary of a manifold it is coherent again: CPLX-COHERENT-9.
     A vertex that the simplex has not takes nothing away.
     """
     wall = tuple(v for v in of.vertices if v != apex)
