@@ -6,6 +6,7 @@ from clers.conventions.law import AnyLaw
 from clers.information.laws_codes import LAWS_OF_CODES
 from clers.information.laws_combined import LAWS_OF_COMBINED
 from clers.information.laws_huffman import LAWS_OF_HUFFMAN
+from clers.information.laws_learning import LAWS_OF_LEARNING
 from clers.information.laws_measure import LAWS_OF_MEASURE
 from clers.information.laws_models import LAWS_OF_MODELS
 
@@ -15,4 +16,5 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
     *LAWS_OF_COMBINED,
     *LAWS_OF_CODES,
     *LAWS_OF_HUFFMAN,
+    *LAWS_OF_LEARNING,
 )
