@@ -1,6 +1,7 @@
 """`python -m clers.measure.mutation clers.complexes --tests tests/complexes --sample 400`."""
 
 import os
+import signal
 from collections import Counter
 from pathlib import Path
 from typing import Annotated
@@ -70,5 +71,6 @@ def show(report: Report) -> None:
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     typer.run(main)

@@ -10,7 +10,7 @@ from typing import Final
 import msgspec
 
 from clers.measure.mutation.child import Child, Limits, answers, finish, start
-from clers.measure.mutation.mutant import difference, mutated
+from clers.measure.mutation.mutant import Mutant, difference, mutated
 from clers.measure.mutation.outcome import ON_IMPORT, Baseline, Fate, Judged, Report, Subject, Trial
 from clers.measure.mutation.sample import Drawn, draw
 from clers.measure.mutation.trial import baseline, trial
@@ -82,8 +82,12 @@ def run(plan: Plan, step: Callable[[str], None]) -> Report | str:
         unreached=fates[Fate.UNREACHED],
         score=gone / max(1, len(judged)),
         left_out=known.failed,
-        judged=tuple(_judged(drawn, judged[drawn]) for drawn in sample if drawn in judged),
+        judged=tuple(_judged(drawn, judged[drawn]) for drawn in sorted(judged, key=_place)),
     )
+
+
+def _place(drawn: Drawn) -> tuple[str, Mutant]:
+    return drawn.subject.module, drawn.mutant
 
 
 def _judged(drawn: Drawn, found: Trial) -> Judged:

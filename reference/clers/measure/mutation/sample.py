@@ -59,13 +59,15 @@ def _subject(module: str, path: Path) -> Subject:
 def draw(
     found: Sequence[Subject], root: str, sample: int | None, seed: int
 ) -> tuple[int, tuple[Drawn, ...]]:
-    """The number of all mutants, and the sample, by place. Clause: TOOL-MUTATION-5."""
+    """The number of all mutants, and the sample, in the order of the draw.
+
+    A smaller sample begins a larger one; None draws all. Clause: TOOL-MUTATION-5.
+    """
     spec = importlib.util.find_spec(root)
     assert spec is not None, "a subject of it was found"
     assert spec.origin is not None, "it is no namespace"
     words = vocabulary(Path(spec.origin).parent)
     every = [Drawn(of, mutant) for of in found for mutant in mutants(of.source, words)]
-    if sample is None or sample >= len(every):
-        return len(every), tuple(every)
-    chosen = sorted(Random(seed).sample(range(len(every)), sample))
-    return len(every), tuple(every[i] for i in chosen)
+    order = list(range(len(every)))
+    Random(seed).shuffle(order)
+    return len(every), tuple(every[i] for i in order[:sample])
