@@ -1,4 +1,4 @@
-"""Manifolds known from the literature, and complexes that are none: every answer and every blame."""
+"""Manifolds known from the literature, and complexes that are none: each answer and each blame."""
 
 from itertools import combinations
 
