@@ -50,7 +50,7 @@ def test_contexts_of_order_two() -> None:
 
 
 def test_replay_by_parity() -> None:
-    """INFO-CONTEXT-1: after 0, 1, 1, 0 of even and odd places the even ones are 0, 1."""
+    """INFO-CONTEXT-1, INFO-CONTEXT-2: of 0, 1, 1, 0 the even places have 0, 1."""
     model = replayed(lambda past: len(past) % 2, lambda _: counting(()), (0, 1, 1, 0))
     assert differences(model.cumulative) == (2, 2)
     model = replayed(lambda past: len(past) % 2, lambda _: counting(()), (0, 1, 1))
@@ -127,7 +127,7 @@ def test_right_predictions_cost_a_logarithm() -> None:
 
 
 def test_mixing_by_hand() -> None:
-    """INFO-MIX-2, INFO-MIX-3. Units of 8: the means 1/2, 1/2; shares 1/4, 3/4; means 3/5, 2/5."""
+    """INFO-MIX-1, INFO-MIX-2, INFO-MIX-3. Eighths of 1/2, 1/2; of 1/4, 3/4; of 3/5, 2/5."""
     low, high = Static((0, 1, 4)), Static((0, 3, 4))
     made = mixed((low, high), (1, 1), 8)
     assert made == Accepted(Mixed((low, high), (1, 1), 8))

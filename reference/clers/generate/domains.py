@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from clers.generate import (
     attachments,
     complexes,
+    counting,
     every_dimension,
     face_lists,
     files,
@@ -25,6 +26,7 @@ from clers.generate import (
     sheets,
     solids,
     streams,
+    structures,
     surfaces,
 )
 
@@ -40,12 +42,14 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **meshes.DOMAINS,
     **messages.DOMAINS,
     **prefix_codes.DOMAINS,
+    **counting.DOMAINS,
     **learning.DOMAINS,
     **files.DOMAINS,
     **handles.DOMAINS,
     **every_dimension.DOMAINS,
     **manifolds.DOMAINS,
     **polytopes.DOMAINS,
+    **structures.DOMAINS,
     **moves.DOMAINS,
     **sheets.DOMAINS,
     **attachments.DOMAINS,

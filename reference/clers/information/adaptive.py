@@ -14,7 +14,7 @@ from clers.information.static import bad_frequencies
 class Adaptive:
     """The table so far, what a symbol adds, and the total that must not be passed.
 
-    Clauses: INFO-ADAPT-1, INFO-ADAPT-2. From outside input build it with `adaptive`.
+    Clauses: INFO-ADAPT-1, INFO-ADAPT-2, INFO-LEARN-4. From outside input build it with `adaptive`.
     """
 
     cumulative: tuple[int, ...]
