@@ -17,9 +17,10 @@ from clers.complexes.geometric import (
     geometric,
     meet_properly,
     missing_face,
+    near_pairs,
     overlap,
 )
-from clers.complexes.simplicial import closure
+from clers.complexes.simplicial import Complex, closure
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -261,6 +262,19 @@ def test_missing_faces() -> None:
     assert missing_face(frozenset(map(frozenset, given))) == ((1, 2, 3), (1, 2))
     assert missing_face(frozenset(map(frozenset, [*given, (1, 2), (1, 3)]))) == ((4, 5), (5,))
     assert missing_face(closure(given).simplices) is None
+
+
+def test_near_pairs() -> None:
+    """Clause: CPLX-GEOMETRIC-6. Boxes: 0 is (0, 0), 1 (4, 4), 2 (4, 0), 3 (0, 4), 4 (5, 5)."""
+    points = [q(0, 0), q(4, 4), q(4, 0), q(0, 4), q(5, 5)]
+    edges = Complex(frozenset(map(frozenset, [(0, 1), (0, 2), (1, 3), (4,), (1, 4)])))
+    found = {frozenset(pair) for pair in near_pairs(points, edges)}
+    expected = [
+        *(((0, 1), (0, 2)), ((0, 1), (1, 3)), ((0, 1), (1, 4)), ((1, 3), (1, 4))),
+        ((4,), (1, 4)),
+    ]
+    assert found == set(map(frozenset, expected))
+    assert len(list(near_pairs(points, edges))) == len(expected)
 
 
 def test_a_grid_of_many_triangles() -> None:

@@ -11,7 +11,10 @@ ONE, ZERO = Fraction(1), Fraction(0)
 
 
 def kernel(columns: Sequence[Column]) -> list[list[Fraction]]:
-    """A basis of the relations: coefficients that take the columns, of one height, to zero."""
+    """A basis of the relations: coefficients that take the columns, of one height, to zero.
+
+    Each relation has the coefficient 1 at a column, and 0 at all later ones.
+    """
     basis: list[list[Fraction]] = []
     # Each entry is a column made from the given ones, not zero at its pivot, with how it was made.
     made: list[tuple[int, list[Fraction], list[Fraction]]] = []
@@ -43,9 +46,7 @@ def is_circuit(one: Sequence[Point], other: Sequence[Point]) -> bool:
     Clause: CPLX-GEOMETRIC-6.
     """
     relations = kernel([(ONE, *p) for p in one] + [(-ONE, *(-x for x in q)) for q in other])
-    if len(relations) != 1:
-        return False
-    return all(x > 0 for x in relations[0]) or all(x < 0 for x in relations[0])
+    return len(relations) == 1 and all(x > 0 for x in relations[0])
 
 
 Meeting = tuple[tuple[int, ...], tuple[int, ...]]
@@ -66,7 +67,7 @@ def corners_of_intersection(one: Sequence[Point], other: Sequence[Point]) -> lis
     for size in range(2, len(target) + 1):
         for chosen in combinations(range(len(columns)), size):
             relations = kernel([*(columns[i] for i in chosen), target])
-            if len(relations) == 1 and all(x * relations[0][-1] > 0 for x in relations[0]):
+            if len(relations) == 1 and all(x > 0 for x in relations[0]):
                 first = tuple(i for i in chosen if i < len(one))
                 found.append((first, tuple(i - len(one) for i in chosen if i >= len(one))))
     return found

@@ -82,19 +82,21 @@ def overlap(points: Sequence[Point], k: Complex) -> Pair | None:
 
     All simplices of k are in general position. Only pairs whose boxes meet are looked at.
     """
-    dimension = len(points[0]) if points else 0
     found = [
         (len(one) + len(other), min(one, other), max(one, other))
-        for one, other in _near_pairs(points, k)
-        if len(one) + len(other) <= dimension + 2
+        for one, other in near_pairs(points, k)
+        if len(one) + len(other) <= len(points[one[0]]) + 2
         and not set(one) & set(other)
         and is_circuit([points[v] for v in one], [points[v] for v in other])
     ]
     return min(found)[1:] if found else None
 
 
-def _near_pairs(points: Sequence[Point], k: Complex) -> Iterator[Pair]:
-    """The pairs of simplices whose bounding boxes meet, by a sweep along the first coordinate."""
+def near_pairs(points: Sequence[Point], k: Complex) -> Iterator[Pair]:
+    """The pairs of simplices whose bounding boxes meet, by a sweep along the first coordinate.
+
+    Each pair comes once. Simplices that meet have boxes that do. Clause: CPLX-GEOMETRIC-6.
+    """
     boxes: list[tuple[Point, Point, Row]] = []
     for vertices in map(row, k.simplices):
         axes = list(zip(*(points[v] for v in vertices), strict=True))

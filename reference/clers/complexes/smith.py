@@ -5,8 +5,8 @@ All numbers are exact. A matrix is a tuple of its rows, all of one length.
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import combinations
-from math import gcd, prod
+from itertools import combinations, pairwise, takewhile
+from math import gcd
 
 from clers.complexes.homology import Row
 
@@ -48,19 +48,18 @@ def factors_by_minors(matrix: Matrix) -> tuple[int, ...]:
 
     Exponential in the size. Clause: CPLX-SMITH-1.
     """
-    width = len(matrix[0]) if matrix else 0
-    factors: list[int] = []
-    for k in range(1, min(len(matrix), width) + 1):
-        minors = (
-            determinant([[row[j] for j in columns] for row in rows])
-            for rows in combinations(matrix, k)
-            for columns in combinations(range(width), k)
+    transposed = tuple(zip(*matrix, strict=True))
+    divisors = (
+        gcd(
+            *(
+                determinant([[column[i] for i in rows] for column in columns])
+                for rows in combinations(range(len(matrix)), k)
+                for columns in combinations(transposed, k)
+            )
         )
-        divisor = gcd(*minors)
-        if not divisor:
-            break
-        factors.append(divisor // prod(factors))
-    return tuple(factors)
+        for k in range(1, min(len(matrix), len(transposed)) + 1)
+    )
+    return tuple(b // a for a, b in pairwise((1, *takewhile(bool, divisors))))
 
 
 def smith(matrix: Matrix) -> Smith:
