@@ -34,7 +34,7 @@ class Recognition:
 
 
 def recognise(k: Complex) -> LinkKind:
-    """Sphere, ball, neither or undecided, never wrong. Clauses: OPER-RECOGNISE-2, -4."""
+    """Sphere, ball, neither or undecided, never wrong. OPER-RECOGNISE-2, OPER-RECOGNISE-4."""
     return recognition(k).kind
 
 
