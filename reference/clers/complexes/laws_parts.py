@@ -117,15 +117,19 @@ def _homology_of_joins(both: Two) -> Verdict:
         return same("accepted", whole.line())
     if not one.simplices or not other.simplices:
         return Holds()
-    b, c = _reduced(one), _reduced(other)
+    return every(*(_multiplies(one, other, whole.value, field) for field in Field))
+
+
+def _multiplies(one: Complex, other: Complex, whole: Complex, field: Field) -> Verdict:
+    b, c = _reduced(one, field), _reduced(other, field)
     expected = [0] * (len(b) + len(c))
     for (i, x), (j, y) in product(enumerate(b), enumerate(c)):
         expected[i + j + 1] += x * y
-    return same(expected, _reduced(whole.value))
+    return same(expected, _reduced(whole, field))
 
 
-def _reduced(k: Complex) -> list[int]:
-    numbers = betti(k, Field.GF2)
+def _reduced(k: Complex, field: Field) -> list[int]:
+    numbers = betti(k, field)
     return [numbers[0] - 1, *numbers[1:]]
 
 

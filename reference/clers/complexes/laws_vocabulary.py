@@ -14,7 +14,7 @@ from clers.complexes.simplicial import Complex, Simplex, closure, dimension, lin
 from clers.conventions.clause import Clause
 from clers.conventions.law import AnyLaw, Law, every, same
 from clers.conventions.result import Accepted, Rejected
-from clers.conventions.verdict import Holds, Verdict
+from clers.conventions.verdict import Verdict
 from clers.conventions.where import AtFace, AtSimplex, AtVertex
 
 
@@ -134,8 +134,7 @@ def _link_of_link(k: Complex) -> Verdict:
         around = link(k, s)
         return every(*(same(link(k, s | t), link(around, t), _at(s)) for t in around.simplices))
 
-    vertices = [s for s in k.simplices if len(s) == 1]
-    return every(*map(holds, vertices)) if vertices else Holds()
+    return every(*map(holds, k.simplices))
 
 
 LAWS: Final[tuple[AnyLaw, ...]] = (
@@ -205,7 +204,7 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
     Law(
         "link-in-a-link-is-the-link-of-the-union",
         Clause.CPLX_STAR_4,
-        "The link of τ in the link of a vertex σ is the link of their union.",
+        "The link of τ in the link of σ is the link of their union.",
         COMPLEXES,
         _link_of_link,
     ),
