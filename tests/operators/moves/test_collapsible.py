@@ -7,6 +7,7 @@ from moved import after
 
 from clers.complexes.known import BALLS, DUNCE, KNOWN, MOORE, Known
 from clers.complexes.simplicial import Complex, closure, dimension, of_dimension
+from clers.conventions.verdict import Holds
 from clers.operators.moves.collapse import free_pairs
 from clers.operators.moves.collapsible import (
     Collapsible,
@@ -18,6 +19,7 @@ from clers.operators.moves.collapsible import (
     collapse_to_point,
     greedy,
 )
+from clers.operators.moves.laws_collapse import LAWS
 from clers.operators.moves.move import Collapse
 
 SMALL = [of for of in KNOWN if sum(of.f_vector) < 100]
@@ -102,6 +104,13 @@ def test_backtracking_in_dimension_three() -> None:
     found = collapse_to_point(k)
     assert isinstance(found, Collapsible)
     assert len(after(k, *found.moves).simplices) == 1
+
+
+@pytest.mark.parametrize("of", SMALL, ids=lambda of: of.name)
+def test_the_tutorials_condition_for_a_collapse(of: Known) -> None:
+    """6(a), right as printed: only one simplex of the next dimension. Clause: OPER-COLLAPSE-2."""
+    (law,) = [law for law in LAWS if law.name == "collapse-applies-exactly"]
+    assert law.check(of.complex) == Holds()
 
 
 def test_free_pairs_are_in_order() -> None:

@@ -112,6 +112,11 @@ def test_what_flips_reach_on_other_surfaces() -> None:
     assert len(reachable(KLEIN.complex)) == 6
 
 
+def test_nothing_has_one_form_and_one_automorphism() -> None:
+    assert canonical(Complex(frozenset())) == ()
+    assert automorphisms(Complex(frozenset())) == 1
+
+
 def test_forms() -> None:
     """The walk's names, by hand: a strip of two triangles, and an arc. Clause: OPER-FLIPS-1."""
     assert canonical(closure([(3, 5, 9), (5, 9, 11)])) == ((0, 1, 2), (0, 1, 3))

@@ -2,7 +2,7 @@
 
 On surfaces: A a triangle and B a vertex puts a vertex into a face; A and B edges is the edge flip;
 A a vertex and B a triangle takes a vertex of degree three out again.
-In each dimension it is a subdivision and a weld in one. Clauses: OPER-BISTELLAR-2, OPER-BISTELLAR-3.
+In each dimension it is a subdivision and a weld in one. OPER-BISTELLAR-2, OPER-BISTELLAR-3.
 """
 
 from clers.complexes.simplicial import Complex, star

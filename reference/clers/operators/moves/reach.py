@@ -19,12 +19,12 @@ Form = tuple[tuple[int, ...], ...]
 
 def canonical(k: Complex) -> Form:
     """The least form; the same for two complexes exactly if they are isomorphic. OPER-FLIPS-1."""
-    return min(_forms(k))
+    return min(_forms(k), default=())
 
 
 def automorphisms(k: Complex) -> int:
     """The number of ways to rename the vertices that keep the complex. Clause: OPER-FLIPS-2."""
-    forms = _forms(k)
+    forms = _forms(k) or [()]
     return forms.count(min(forms))
 
 
