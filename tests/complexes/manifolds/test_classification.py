@@ -129,6 +129,13 @@ def test_what_is_no_surface() -> None:
         assert homeomorphism(TORUS.complex, known.complex) == expected
 
 
+def test_the_simplex_to_blame_is_named_in_increasing_order() -> None:
+    """Clause: CPLX-CLASSIFY-5."""
+    answer = classify(closure([(8, 1, 2), (8, 1, 3), (8, 1, 4)]))
+    assert isinstance(answer, Rejected)
+    assert answer.where == AtSimplex((1, 8))
+
+
 def test_two_planes_are_a_klein_bottle() -> None:
     """And three, or one and a torus, are the same (W. Dyck). CPLX-SUM-2, CPLX-CLASSIFY-4."""
     two = summed_up(PROJECTIVE, PROJECTIVE)

@@ -3,7 +3,9 @@
 from itertools import combinations
 
 import pytest
+from hypothesis import given, settings
 
+from clers.complexes.integral import homology_over_z
 from clers.complexes.known import (
     BALLS,
     BOOK,
@@ -24,6 +26,8 @@ from clers.complexes.known import (
     TWO_SPHERES,
     Known,
 )
+from clers.complexes.manifolds.classification import Homeomorphic, homeomorphism
+from clers.complexes.manifolds.given import Prescribed
 from clers.complexes.manifolds.homology_type import Looks, is_manifold_by_homology, looks
 from clers.complexes.manifolds.kind import (
     Ball,
@@ -38,7 +42,10 @@ from clers.complexes.manifolds.kind import (
 from clers.complexes.manifolds.laws_manifold import shy, trusting
 from clers.complexes.manifolds.manifold import Manifold, UndecidedAt, manifold
 from clers.complexes.manifolds.spheres import recognise
-from clers.complexes.simplicial import Complex, closure
+from clers.complexes.manifolds.surface_type import Orientable
+from clers.complexes.simplicial import Complex, boundary, closure
+from clers.conventions.result import Accepted
+from clers.generate.manifolds import manifolds
 from clers.operators.moves.recognise import recognise as by_moves
 
 LOW = [known for known in KNOWN if known.dimension <= 3]
@@ -83,6 +90,13 @@ def test_low_dimensions_are_decided_as_the_literature_says(known: Known) -> None
 def test_inner_and_bounding_vertices(k: Complex, expected: Manifold) -> None:
     """Clauses: CPLX-MANIFOLD-1, CPLX-MANIFOLD-10."""
     assert manifold(k) == expected
+
+
+def test_no_recogniser_is_asked_up_to_dimension_3() -> None:
+    """Clause: CPLX-MANIFOLD-2."""
+    for n in range(4):
+        assert manifold(SPHERES[n].complex, shy) == manifold(SPHERES[n].complex)
+        assert isinstance(manifold(SPHERES[n].complex, shy), Manifold)
 
 
 def test_the_poincare_sphere_is_not_taken_for_a_sphere() -> None:
@@ -162,6 +176,23 @@ def test_a_point_does_not_look_like_the_empty_sphere() -> None:
     assert looks(closure([[0]]), -1) is Looks.NEITHER
     assert looks(EMPTY, -1) is Looks.SPHERE
     assert looks(EMPTY, 0) is Looks.NEITHER
+
+
+def test_a_solid_torus_is_bounded_by_a_torus() -> None:
+    """Seven tetrahedra in a ring. Its boundary is Möbius' torus. Clause: CPLX-MANIFOLD-9."""
+    k = closure([(i + j) % 7 for j in range(4)] for i in range(7))
+    assert manifold(k) == Manifold(3, (), tuple(range(7)))
+    answer = homeomorphism(boundary(k), TORUS.complex)
+    assert answer == Accepted(Homeomorphic((Orientable(1, 0),)))
+    assert homology_over_z(k)[1].rank == 1
+
+
+@given(manifolds(4, genus=(0, 1), curves=(0, 1), components=(1, 1), moves=2))
+@settings(max_examples=8)
+def test_moves_prove_4_manifolds_made_to_order(of: Prescribed) -> None:
+    """Clauses: CPLX-MANIFOLD-5, CPLX-MANIFOLD-10."""
+    assert manifold(of.complex, by_moves) == manifold(of.complex, trusting)
+    assert isinstance(manifold(of.complex, by_moves), Manifold)
 
 
 FOUR_SPHERE = SPHERES[4].complex

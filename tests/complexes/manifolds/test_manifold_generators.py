@@ -124,7 +124,7 @@ def test_pieces_are_as_small_as_they_come() -> None:
 def test_surfaces_of_all_types_are_drawn() -> None:
     drawn = {
         piece.surface_type
-        for of in sample(DOMAINS["prescribed-surfaces"], 400, 1)
+        for of in sample(DOMAINS["prescribed-surfaces"], 250, 1)
         if isinstance(of, Prescribed)
         for piece in of.pieces
     }

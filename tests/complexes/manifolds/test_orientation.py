@@ -176,6 +176,26 @@ def test_cycles_that_prove_nothing() -> None:
     assert not is_one_sided(TORUS.complex, OneSided(tuple(at(i, i + 1, i + 3) for i in range(4))))
 
 
+def test_simplices_of_a_cycle_are_in_the_complex() -> None:
+    """With a new vertex in the first triangle: all walls are there, but not the triangle itself.
+
+    Clause: CPLX-COHERENT-4.
+    """
+    k = closure([*MOEBIUS_CYCLE[1:], (0, 1, 9), (1, 2, 9), (0, 2, 9)])
+    assert not is_one_sided(k, OneSided(MOEBIUS_CYCLE))
+    assert isinstance(orient(k), OneSided)
+
+
+def test_a_stem_is_no_part_of_the_cycle() -> None:
+    """A strip leads to the band. From its triangle 0 the search goes both ways: 1 and 4, 2 and 3.
+
+    Clause: CPLX-COHERENT-4.
+    """
+    band = [at(*(10 + v for v in triangle)) for triangle in MOEBIUS_CYCLE]
+    k = closure([(0, 1, 2), (1, 2, 3), (2, 3, 10), (3, 10, 12), *band])
+    assert orient(k) == OneSided((band[2], band[1], band[0], band[4], band[3]))
+
+
 def test_a_cycle_across_a_wall_in_three_proves_nothing() -> None:
     """The Möbius band with a third triangle at one of its walls. Clause: CPLX-COHERENT-4."""
     k = closure([*MOEBIUS_CYCLE, (1, 2, 9)])
@@ -214,6 +234,7 @@ def test_a_wall_in_three_asks_nothing() -> None:
         (BOOK.complex, (0, 1), Flaw.CROWDED_WALL),
         (FIGURE_8.complex, (0, 6), Flaw.NOT_PURE),
         (closure([(8, 1), (8, 2), (8, 3)]), (8,), Flaw.CROWDED_WALL),
+        (closure([(8, 1, 2), (8, 1, 3), (8, 1, 4)]), (1, 8), Flaw.CROWDED_WALL),
     ],
 )
 def test_what_cannot_be_asked(k: Complex, simplex: tuple[int, ...], flaw: Flaw) -> None:

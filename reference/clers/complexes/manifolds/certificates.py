@@ -43,18 +43,18 @@ def is_one_sided(k: Complex, given: OneSided) -> bool:
     cycle = given.cycle
     if not cycle or len(set(cycle)) < len(cycle) or not set(cycle) <= set(of_dimension(k, n)):
         return False
-    carried = tuple(sorted(cycle[0]))
+    start = carried = tuple(cycle[0])
     for here, there in zip(cycle, (*cycle[1:], cycle[0]), strict=True):
         wall = here & there
-        if len(wall) != n or len(neighbours_at(k, wall)) != 2:
+        if len(neighbours_at(k, wall)) != 2:  # which only walls have
             return False
         (leaving,), (coming,) = here - wall, there - wall
         exchanged = tuple(coming if v == leaving else v for v in carried)
         carried = (*exchanged[:-2], exchanged[-1], exchanged[-2])
-    return oriented(carried) != oriented(tuple(sorted(cycle[0])))
+    return oriented(carried) != oriented(start)
 
 
 def _agrees(of: OrientedSimplex, wall: Simplex) -> bool:
-    """Is the simplex oriented as its apex, then the wall in increasing order?"""
+    """Is the simplex oriented as its apex, then the wall in the order it is listed?"""
     (apex,) = frozenset(of.vertices) - wall
-    return oriented((apex, *sorted(wall))) == Accepted(of)
+    return oriented((apex, *wall)) == Accepted(of)

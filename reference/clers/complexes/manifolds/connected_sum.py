@@ -32,7 +32,7 @@ def connected_sum(first: Summand, second: Summand) -> Accepted[Complex] | Reject
         pair = AtPair(tuple(sorted(first.at)), tuple(sorted(second.at)))
         return _refused(pair, "both on the boundary")
     place = dict(zip(second.at, first.at, strict=True))
-    free = 1 + max(max(s) for s in first.complex.simplices)
+    free = 1 + max(set().union(*first.complex.simplices))
     others = sorted(set().union(*second.complex.simplices) - set(second.at))
     place |= {v: free + i for i, v in enumerate(others)}
     moved = (frozenset(place[v] for v in s) for s in second.complex.simplices)

@@ -47,7 +47,7 @@ def rim(k: Complex) -> Complex:
 
 def vertex_links(k: Complex) -> Iterator[tuple[int, Complex]]:
     """Each vertex of a pure complex with its link, in increasing order. Clause: CPLX-COMPLEX-4."""
-    around: dict[int, list[Simplex]] = {min(v): [] for v in of_dimension(k, 0)}
+    around: dict[int, list[Simplex]] = {v: [] for (v,) in of_dimension(k, 0)}
     for simplex in of_dimension(k, dimension(k)):
         for v in simplex:
             around[v].append(simplex - {v})
@@ -56,11 +56,10 @@ def vertex_links(k: Complex) -> Iterator[tuple[int, Complex]]:
 
 def components(k: Complex) -> tuple[Complex, ...]:
     """The connected components, by their lowest vertices, `simplicial.pieces`. CPLX-COMPLEX-6."""
-    beside: dict[int, list[int]] = {min(v): [] for v in of_dimension(k, 0)}
-    for edge in of_dimension(k, 1):
-        low, high = sorted(edge)
-        beside[low].append(high)
-        beside[high].append(low)
+    beside: dict[int, list[int]] = {v: [] for (v,) in of_dimension(k, 0)}
+    for v, w in of_dimension(k, 1):
+        beside[v].append(w)
+        beside[w].append(v)
     lowest: dict[int, int] = {}
     for start in beside:
         stack = [start]

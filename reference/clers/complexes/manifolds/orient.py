@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import takewhile
 
 from clers.complexes.manifolds.incidence import Walls, flaw_at_a_wall, walls
 from clers.complexes.manifolds.orientation import OrientedSimplex, induced, joined, opposite
@@ -62,25 +63,24 @@ def _across(of: OrientedSimplex, between: Walls) -> list[tuple[Simplex, Oriented
     """The neighbours of an oriented simplex, each oriented so that the two are coherent."""
     here = frozenset(of.vertices)
     return [
-        (other, joined(min(other - wall), opposite(induced(of, apex))))
+        (other, joined(far, opposite(induced(of, apex))))
         for apex in of.vertices
         for wall in [here - {apex}]
         for other in between.get(wall, ())  # a point has no wall
-        if other != here
+        for far in other - here
     ]
 
 
 def _cycle(parent: Mapping[Simplex, Simplex], a: Simplex, b: Simplex) -> tuple[Simplex, ...]:
     """From a up the tree to the last common ancestor, and down to b."""
-    up, down = _ancestors(parent, a), _ancestors(parent, b)
-    while len(up) > 1 and len(down) > 1 and up[-2] == down[-2]:
-        up.pop()
-        down.pop()
-    return (*up, *reversed(down[:-1]))
+    first, second = _from_the_root(parent, a), _from_the_root(parent, b)
+    pairs = zip(first, second, strict=False)
+    shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+    return (*reversed(first[shared - 1 :]), *second[shared:])
 
 
-def _ancestors(parent: Mapping[Simplex, Simplex], simplex: Simplex) -> list[Simplex]:
+def _from_the_root(parent: Mapping[Simplex, Simplex], simplex: Simplex) -> list[Simplex]:
     path = [simplex]
     while path[-1] in parent:
         path.append(parent[path[-1]])
-    return path
+    return path[::-1]
