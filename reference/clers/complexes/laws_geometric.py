@@ -4,8 +4,8 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Final
 
-from clers.complexes.affine import Point, corners_of_intersection, in_general_position
-from clers.complexes.facets import row
+from clers.complexes.affine import Point, in_general_position
+from clers.complexes.facets import facets, row
 from clers.complexes.geometric import geometric, meet_properly, missing_face, overlap
 from clers.complexes.given_every_dimension import PLACED, Placed
 from clers.complexes.simplicial import Complex
@@ -16,6 +16,8 @@ from clers.conventions.result import Accepted, Rejected
 from clers.conventions.verdict import Holds, Verdict
 from clers.conventions.where import AtSimplex
 
+FEW: Final = 14
+
 
 def _independent(placed: Placed) -> Complex:
     """The simplices in general position: a subcomplex, as their faces are so too."""
@@ -24,17 +26,18 @@ def _independent(placed: Placed) -> Complex:
 
 
 def _overlap(placed: Placed) -> Verdict:
-    points, _ = placed
-    rows = sorted(map(row, _independent(placed).simplices))
-    proper = all(meet_properly(points, one, other) for one, other in combinations(rows, 2))
-    found = overlap(points, _independent(placed))
-    meeting = [
+    """All pairs of few simplices, with the blame; of many simplices the pairs of facets."""
+    points, k = placed[0], _independent(placed)
+    found, few = overlap(points, k), len(k.simplices) <= FEW
+    rows = sorted(map(row, k.simplices)) if few else facets(k)
+    improper = [
         (len(one) + len(other), one, other)
         for one, other in combinations(rows, 2)
-        if not set(one) & set(other)
-        and corners_of_intersection([points[v] for v in one], [points[v] for v in other])
+        if not meet_properly(points, one, other)
     ]
-    return every(same(proper, found is None), same(min(meeting)[1:] if meeting else None, found))
+    meeting = [case for case in improper if not set(case[1]) & set(case[2])]
+    blamed = min(meeting)[1:] if meeting else None
+    return every(same(not improper, found is None), same(blamed if few else found, found))
 
 
 def _general_position(placed: Placed) -> Verdict:

@@ -19,12 +19,15 @@ SMALL: Final = tuple(known for known in KNOWN if sum(known.f_vector) < 200)
 
 
 def complexes(
-    max_dimension: int = 4, max_facets: int = 6, max_vertices: int = 8
+    max_dimension: int = 4, max_facets: int = 6, max_vertices: int = 8, min_facets: int = 0
 ) -> st.SearchStrategy[Complex]:
-    """Closures of random simplices on the vertices 0 … max_vertices − 1, mostly not pure."""
+    """Closures of random simplices on the vertices 0 … max_vertices − 1, mostly not pure.
+
+    So many simplices are drawn; some may be faces of others.
+    """
     vertices = st.integers(0, max_vertices - 1)
     facet = st.frozensets(vertices, min_size=1, max_size=max_dimension + 1)
-    return st.lists(facet, max_size=max_facets).map(closure)
+    return st.lists(facet, min_size=min_facets, max_size=max_facets).map(closure)
 
 
 def pure_complexes(
@@ -64,7 +67,7 @@ def facet_rows() -> st.SearchStrategy[Rows]:
     good = st.lists(st.integers(0, 9), min_size=1, max_size=5, unique=True)
     any_row = st.lists(st.integers(-1, 9), max_size=4)
     too_long = st.integers(17, 30).map(lambda size: list(range(size)))
-    row = st.one_of(good, good, good, any_row, too_long)
+    row = st.sampled_from([good] * 8 + [any_row] * 3 + [too_long]).flatmap(lambda kind: kind)
     return st.lists(row.map(tuple), max_size=5).map(tuple)
 
 
@@ -83,11 +86,11 @@ def integer_matrices(max_size: int = 4, most: int = 8) -> st.SearchStrategy[Matr
 
 @st.composite
 def placed_complexes(draw: st.DrawFn) -> Placed:
-    """A complex of at most three facets, its six points on a small lattice with halves."""
+    """A complex of two or three simplices, its six points on a small lattice with halves."""
     space = draw(st.integers(1, 3))
     coordinate = st.integers(0, 6).map(lambda i: Fraction(i, 2))
     points = draw(st.lists(st.tuples(*[coordinate] * space), min_size=6, max_size=6))
-    return tuple(points), draw(complexes(space, max_facets=3, max_vertices=6))
+    return tuple(points), draw(complexes(space, max_facets=3, max_vertices=6, min_facets=2))
 
 
 DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
