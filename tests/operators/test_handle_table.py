@@ -17,7 +17,7 @@ from clers.operators.handles import (
     ZeroHandlePolygon,
 )
 
-CHAPTER: Final = Path(__file__).parents[2] / "spec" / "04-operators.md"
+CHAPTER: Final = Path(__file__).parents[2] / "spec" / "04-handles.md"
 
 NAMES: Final[dict[str, tuple[Operator, ...]]] = {
     "0-handle": (ZeroHandle(),),

@@ -164,7 +164,10 @@ def _by_depth(part: Part, draft: Draft) -> list[Step] | Rejected:
 
 
 def fold(operators: tuple[Step, ...]) -> Accepted[tuple[Growing, ...]] | Rejected:
-    """The growing surface after each face: `scanl apply nothing`. Clauses: EB-FOLD-1, EB-FOLD-3."""
+    """The growing surface after each face: `scanl apply nothing`.
+
+    Clauses: EB-FOLD-1, EB-FOLD-3, EB-FOLD-4.
+    """
     grown, states = NOTHING, list[Growing]()
     for i, step in enumerate(operators):
         for operator in step:

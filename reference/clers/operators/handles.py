@@ -2,7 +2,8 @@
 
 The surface is seen through its boundary. Each loop is a cyclic list of vertices, run with the part
 still missing on its left, and begins with the gate: the edge from its first vertex to its second.
-Every operator acts at the gate of the current loop, which is the last one on the stack.
+Every operator acts at the gate of the current loop, which is the last one on the stack. What it
+does to loops is `sheets.surgery`, for it is an operator on sheets (OPER-SHEET-7).
 """
 
 from dataclasses import dataclass, replace
@@ -12,6 +13,7 @@ from clers.complexes.surface import Triangle, Vertex
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
+from clers.operators.sheets.surgery import beyond, cut, joined, past_next, past_previous
 
 Loop = tuple[Vertex, ...]
 
@@ -171,12 +173,6 @@ def _zero_handle_polygon(grown: Growing, edges: int) -> Accepted[Growing] | Reje
     )
 
 
-def _joined(loop: Loop, other: Loop) -> Loop:
-    """The loop after a triangle from the gate of one loop to the first vertex of another."""
-    a, b, *rest = loop
-    return (other[0], b, *rest, a, *other)
-
-
 def _one_handle(grown: Growing) -> Accepted[Growing] | Rejected:
     if not grown.waiting:
         return _refused(
@@ -187,7 +183,7 @@ def _one_handle(grown: Growing) -> Accepted[Growing] | Rejected:
         replace(
             grown,
             faces=(*grown.faces, (polygon[0], loop[0], loop[1])),
-            loops=(*below, _joined(loop, polygon)),
+            loops=(*below, joined(loop, polygon)),
             components=grown.components - 1,
             euler=grown.euler - 1,
             waiting=False,
@@ -209,7 +205,7 @@ def _upper_handle(grown: Growing, below: int, at: int) -> Accepted[Growing] | Re
         replace(
             grown,
             faces=(*grown.faces, (turned[0], loop[0], loop[1])),
-            loops=(*grown.loops[:k], *grown.loops[k + 1 : -1], _joined(loop, turned)),
+            loops=(*grown.loops[:k], *grown.loops[k + 1 : -1], joined(loop, turned)),
             euler=grown.euler - 1,
             genus=grown.genus + 1,
         )
@@ -223,30 +219,28 @@ def _on_current_loop(
     if not grown.loops:
         return _refused(Clause.OPER_HANDLE_9, "there is no gate")
     *below, loop = grown.loops
-    a, b, *_ = loop
     match operator:
         case Attach():
             v = Vertex(grown.vertices)
             grown = replace(grown, vertices=grown.vertices + 1)
-            return _glued(grown, v, loop, (*below, (v, b, *loop[2:], a)))
+            return _glued(grown, v, loop, (*below, beyond(loop, v)))
         case CompleteAfter():
             if len(loop) <= SHORTEST_LOOP:
                 return _refused(
                     Clause.OPER_HANDLE_4, "a loop of three edges is closed by a 2-handle"
                 )
-            return _glued(grown, loop[2], loop, (*below, (a, *loop[2:])))
+            return _glued(grown, loop[2], loop, (*below, past_next(loop)))
         case CompleteBefore():
             if len(loop) <= SHORTEST_LOOP:
                 return _refused(
                     Clause.OPER_HANDLE_4, "a loop of three edges is closed by a 2-handle"
                 )
-            return _glued(grown, loop[-1], loop, (*below, (loop[-1], b, *loop[2:-1])))
+            return _glued(grown, loop[-1], loop, (*below, past_previous(loop)))
         case LowerHandle(at):
             if not SHORTEST_LOOP <= at <= len(loop) + 1 - SHORTEST_LOOP:
                 return _refused(Clause.OPER_HANDLE_5, f"vertex {at} of a loop of {len(loop)}")
-            v = loop[at]
-            halves = ((a, *loop[at:]), (v, *loop[1:at]))
-            return _glued(replace(grown, euler=grown.euler - 1), v, loop, (*below, *halves))
+            grown = replace(grown, euler=grown.euler - 1)
+            return _glued(grown, loop[at], loop, (*below, *cut(loop, at)))
         case TwoHandle():
             if len(loop) != SHORTEST_LOOP:
                 return _refused(Clause.OPER_HANDLE_8, f"the loop has {len(loop)} edges")
