@@ -51,7 +51,7 @@ def _mended(before: Complex, after: Complex, move: Contract) -> Rejected | None:
             case Sphere(n) | Ball(n) if n == known.dimension:
                 continue
             case _:
-                detail = f"the links are {found} and, contracted, {known}"
+                detail = f"its link is no ball or sphere of dimension {known.dimension}"
                 where = AtSimplex((vertex,))
                 return Rejected(Reason.WRONG_LINK, Clause.OPER_CONTRACT_5, where, detail)
     return None
