@@ -9,7 +9,18 @@ from typing import Annotated
 import typer
 
 from clers import SPEC_VERSION, __version__
-from clers.cli import bench, corpus, laws, meshes, repairs, roundtrip, schema, spec, walks
+from clers.cli import (
+    bench,
+    corpus,
+    laws,
+    meshes,
+    operators,
+    repairs,
+    roundtrip,
+    schema,
+    spec,
+    walks,
+)
 from clers.cli.output import Exit, line, note
 
 app = typer.Typer(
@@ -32,6 +43,7 @@ app.command()(schema.schema)
 app.add_typer(bench.app, name="bench")
 app.add_typer(corpus.app, name="corpus")
 app.add_typer(laws.app, name="laws")
+app.add_typer(operators.app, name="operators")
 app.add_typer(spec.app, name="spec")
 
 

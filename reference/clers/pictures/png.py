@@ -23,7 +23,11 @@ DPI: Final = 72
 
 def to_png(picture: Picture) -> bytes:
     """The picture as a PNG image. Clause: TOOL-PICTURE-13."""
-    of = scene(picture)
+    return png_of(scene(picture))
+
+
+def png_of(of: Scene) -> bytes:
+    """An image as a PNG image. Clauses: TOOL-PICTURE-13, TOOL-OPERATORS-3."""
     figure = Figure(figsize=(of.width / DPI, of.height / DPI), dpi=DPI, facecolor=PAPER)
     FigureCanvasAgg(figure)
     axes = figure.add_axes((0, 0, 1, 1))

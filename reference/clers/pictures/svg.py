@@ -11,7 +11,12 @@ from clers.pictures.sheet import scene
 
 def to_svg(picture: Picture) -> str:
     """The picture as an SVG document. Clause: TOOL-PICTURE-12."""
-    return document(_root(scene(picture)))
+    return svg_of(scene(picture))
+
+
+def svg_of(of: Scene) -> str:
+    """An image as an SVG document. Clauses: TOOL-PICTURE-12, TOOL-OPERATORS-3."""
+    return document(_root(of))
 
 
 def number(value: float) -> str:
