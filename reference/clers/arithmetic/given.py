@@ -43,9 +43,19 @@ class Declared:
     length: int
 
 
+@dataclass(frozen=True, slots=True)
+class Pushing:
+    """A number from 2^48 up to 2^56, a table, and bytes."""
+
+    state: int
+    frequencies: tuple[int, ...]
+    ahead: bytes
+
+
 JOINED: Final = Given("message-and-tail", "an allowed message and bits that follow it", Joined)
 ATTEMPT: Final = Given("any-bits", "a model, bits of any origin, a number of symbols", Attempt)
 NARROWING: Final = Given("settled-state", "a settled state and a good table", Narrowing)
 INTERVAL: Final = Given("any-state", "integers 0 ≤ low ≤ high < 2^32", State)
 DECLARED: Final = Given("declared-bytes", "bytes and a declared number of bits", Declared)
 BITS: Final = Given("bits", "a string of bits", Bits)
+PUSHING: Final = Given("state-of-56-bits", "2^48 < state < 2^56, a good table, bytes", Pushing)

@@ -6,9 +6,11 @@ from typing import Final
 
 from hypothesis import strategies as st
 
-from clers.arithmetic import coder
 from clers.arithmetic.bits import Bits, pack
-from clers.arithmetic.given import Attempt, Declared, Joined, Narrowing
+from clers.arithmetic.coder import REFERENCE, Coder
+from clers.arithmetic.given import Attempt, Declared, Joined, Narrowing, Pushing
+from clers.arithmetic.range_coder import RANGE_CODER
+from clers.arithmetic.rans import RANS
 from clers.arithmetic.steps import HALF, QUARTER, TOP, State
 from clers.conventions.result import Rejected
 from clers.generate.models import (
@@ -104,10 +106,15 @@ BIT_STRINGS: Final[st.SearchStrategy[Bits]] = st.one_of(
 ).map(pack)
 
 
+CODERS: Final[tuple[Coder, ...]] = (REFERENCE, RANGE_CODER, RANS)
+"""Those whose codes are tried on all."""
+
+
 @st.composite
 def _attempts(draw: st.DrawFn) -> Attempt:
     """Bits of any origin, or a true code with bits cut off, added, or one changed."""
     given_ = draw(MESSAGES)
+    coder = draw(st.sampled_from(CODERS))
     code = coder.encode(given_.model, given_.symbols)
     count = len(given_.symbols)
     if isinstance(code, Rejected) or draw(st.integers(0, 3)) == 0:
@@ -182,6 +189,16 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = MappingProxyType(
         "any-bits": _attempts(),
         "settled-state": st.builds(
             Narrowing, st.builds(_settled, WORDS, WORDS, st.booleans()), TABLES
+        ),
+        "state-of-56-bits": st.builds(
+            Pushing,
+            st.one_of(
+                st.integers(2**48 + 1, 2**56 - 1),
+                st.integers(2**48 + 1, 2**49),
+                st.sampled_from([2**48 + 1, 2**56 - 1]),
+            ),
+            TABLES,
+            st.binary(max_size=3),
         ),
         "any-state": st.tuples(WORDS, WORDS).map(lambda ends: State(min(ends), max(ends))),
         "declared-bytes": st.builds(
