@@ -3,7 +3,6 @@
 from typing import Final, assert_never
 
 from clers.complexes.manifolds.kind import Ball, Sphere
-from clers.complexes.manifolds.spheres import recognise
 from clers.complexes.simplicial import Complex, boundary, dimension, link, star
 from clers.conventions.clause import Clause
 from clers.conventions.result import Accepted, Rejected
@@ -32,6 +31,7 @@ from clers.operators.attachments.operator import (
     Undo,
     parts,
 )
+from clers.operators.moves.recognise import recognise
 
 NOTHING: Final = Complex(frozenset())
 """The complex without simplices, from which every script begins. Clause: OPER-ATTACH-7."""

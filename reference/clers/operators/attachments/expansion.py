@@ -61,10 +61,11 @@ def has_order(glued: Attachment) -> bool:
     for _ in range(m):
         if any(len(there) == all_but_two for there in reached):
             return True
+        # a facet that is there has no order again: it would be glued along its whole frontier
         reached = {
             there | closure([facet]).simplices
             for there in reached
             for facet in frontier
-            if facet not in there and has_order(attachment(Complex(there), facet))
+            if has_order(attachment(Complex(there), facet))
         }
     return False
