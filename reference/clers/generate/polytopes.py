@@ -5,13 +5,14 @@ and smaller factors.
 """
 
 from collections.abc import Mapping
+from itertools import product
 from typing import Final
 
 from hypothesis import strategies as st
 
 from clers.complexes.corner_table import face_list
 from clers.complexes.polytopes.cells import CellList, Polytope, boundary, counts, dimension
-from clers.complexes.polytopes.construct import polytope
+from clers.complexes.polytopes.construct import LARGEST, polytope
 from clers.complexes.polytopes.dual import dual
 from clers.complexes.polytopes.manifold import is_manifold
 from clers.complexes.polytopes.order import from_complex
@@ -102,7 +103,7 @@ def polygon_lists(draw: st.DrawFn) -> PolygonList:
     mesh = draw(oriented_polygons(12))
     faces = list(mesh.faces)
     vertices = mesh.vertices
-    for fault in draw(st.lists(st.integers(0, 7), max_size=2)):
+    for fault in draw(st.lists(st.sampled_from((0, 1, 2, 3, 4, 5, 6, 6, 7, 7)), max_size=2)):
         t = draw(CHOICES) % len(faces) if faces else 0
         v, w = (draw(CHOICES) % (vertices + 1) for _ in range(2))
         match fault:
@@ -117,12 +118,23 @@ def polygon_lists(draw: st.DrawFn) -> PolygonList:
             case 4:
                 faces += faces[t : t + 1]
             case 5:
-                faces = faces[:t] + [face[1:] for face in faces[t : t + 1]] + faces[t + 1 :]
+                faces = faces[:t] + [face[1:] + face[2:3] for face in faces[t : t + 1]]
             case 6:
-                faces += [face[::-1] for face in faces[t : t + 1]]
+                faces += [(face[1], face[0], vertices) for face in faces[t : t + 1]]
+                vertices += 1
             case _:
-                faces = [dissolve for face in faces if (dissolve := face[: 3 + t])]
+                ends = {*faces[t][:2]} if faces else set[int]()
+                faces = [_halved(face, ends, vertices) for face in faces]
+                vertices += 1
     return PolygonList(tuple(faces), vertices)
+
+
+def _halved(face: Polygon, ends: set[int], middle: int) -> Polygon:
+    """A polygon with a vertex put into the side between two ends, if it has that side."""
+    for i, v in enumerate(face):
+        if {v, face[(i + 1) % len(face)]} == ends:
+            return (*face[: i + 1], middle, *face[i + 1 :])
+    return face
 
 
 def complexes() -> st.SearchStrategy[Complex]:
@@ -146,10 +158,15 @@ FACTORS: Final = (
 """Small polytopes of which larger ones are made."""
 
 
+PAIRS: Final = tuple(
+    both for both in product(FACTORS, FACTORS) if sum(map(dimension, both)) <= LARGEST
+)
+SOLID: Final = tuple(both for both in PAIRS if sum(map(dimension, both)) > 0)
+
+
 def pairs() -> st.SearchStrategy[tuple[CellList, CellList]]:
     """Two factors whose product has dimension at most 3."""
-    factor = st.sampled_from(FACTORS)
-    return st.tuples(factor, factor).filter(lambda both: sum(map(dimension, both)) <= 3)
+    return st.sampled_from(PAIRS)
 
 
 def polytopes() -> st.SearchStrategy[Polytope]:
@@ -266,11 +283,9 @@ def closed_polytopes() -> st.SearchStrategy[Polytope]:
 
 def manifold_polytopes() -> st.SearchStrategy[Polytope]:
     """Manifolds of dimension 1 to 3, with boundary or not."""
-    made = pairs().map(lambda both: accepted(polytope(times(*both))))
-    solid = made.filter(lambda p: dimension(p) > 0 and is_manifold(p))
-    return st.one_of(
-        solid, polygonal_surfaces(), closed_polytopes().filter(lambda p: dimension(p) > 0)
-    )
+    made = st.sampled_from(SOLID).map(lambda both: accepted(polytope(times(*both))))
+    closed = closed_polytopes().filter(lambda p: dimension(p) > 0)
+    return st.one_of(made.filter(is_manifold), polygonal_surfaces(), closed)
 
 
 DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {

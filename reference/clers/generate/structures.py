@@ -13,9 +13,9 @@ from clers.complexes.structures.half_edge import HalfEdges
 from clers.complexes.structures.half_edge_polygons import from_polygons
 from clers.complexes.surface import Corner, Surface, Vertex
 from clers.conventions.result import Accepted
-from clers.generate.polytopes import oriented_polygons
+from clers.generate.polytopes import of_triangles, oriented_polygons
 from clers.generate.scripts import CHOICES
-from clers.generate.surfaces import small_surfaces
+from clers.generate.surfaces import small_surfaces, surfaces
 
 SEEDS: Final = st.integers(0, 1 << 16)
 
@@ -95,7 +95,8 @@ def _changed(draw: st.DrawFn, array: tuple[int, ...]) -> tuple[int, ...]:
 @st.composite
 def flips(draw: st.DrawFn) -> tuple[HalfEdges, int]:
     """A structure and one of its half-edges."""
-    of = draw(half_edges())
+    triangles = surfaces(24, (0, 1), (0, 2), (1, 2)).map(of_triangles).map(_built)
+    of = draw(st.one_of(triangles, half_edges()))
     return of, draw(CHOICES) % len(of.next)
 
 

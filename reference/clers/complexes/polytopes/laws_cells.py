@@ -130,18 +130,18 @@ def _chains(of: Polytope) -> Verdict:
     edges = frozenset(
         frozenset([low, high]) for low, over in above.items() for high in over if high != low
     )
-    beside = {v: frozenset(u for edge in edges if v in edge for u in edge - {v}) for v in above}
     points = frozenset(frozenset([v]) for v in above)
+    beside: dict[int, set[int]] = {v: set() for v in above}
+    for u, v in map(tuple, edges):
+        beside[u].add(v)
+        beside[v].add(u)
+    larger: dict[frozenset[int], set[int]] = {s: set() for s in k.simplices}
+    for s in k.simplices:
+        for v in s if len(s) > 1 else ():
+            larger[s - {v}].add(v)
     return every(
         same(points | edges, frozenset(s for s in k.simplices if len(s) < 3)),
-        *(
-            same(
-                {s | {v} for v in larger},
-                {t for t in k.simplices if t > s and len(t) == len(s) + 1},
-            )
-            for s in k.simplices
-            for larger in [frozenset[int].intersection(*(beside[v] for v in s))]
-        ),
+        *(same(set.intersection(*(beside[v] for v in s)), more) for s, more in larger.items()),
     )
 
 
