@@ -16,9 +16,10 @@ from golden_complexes import (
     beside,
 )
 
-from clers.complexes.canonical import canonical_form, canonical_surface, code
+from clers.complexes.canonical import agreement, canonical_form, canonical_surface, code
 from clers.complexes.corner_table import face_list, surface
 from clers.complexes.difference import Difference
+from clers.complexes.difference_by_definition import first_difference_by_definition
 from clers.complexes.face_list import FaceList
 from clers.complexes.isomorphism import Different, Isomorphic, is_isomorphism, isomorphism
 from clers.complexes.relabel import mirror, relabelled
@@ -213,6 +214,18 @@ def test_differences_are_named(
 ) -> None:
     """Clause: CPLX-ISO-7."""
     assert isomorphism(accepted(first), accepted(second)) == Different(what, detail)
+    assert first_difference_by_definition(first, second) == what
+
+
+@pytest.mark.parametrize(
+    ("known", "other", "agreed"),
+    [((), (1,), 0), ((1, 2), (2, 2), 0), ((1, 2, 3), (1, 2, 4), 2), ((1, 2), (1, 2, 3), 2)],
+)
+def test_codes_agree_up_to_where_they_part(
+    known: tuple[int, ...], other: tuple[int, ...], agreed: int
+) -> None:
+    """Clause: CPLX-ISO-3."""
+    assert agreement(known, iter(other)) == agreed
 
 
 def test_chiral_fans_differ_in_their_walks_alone() -> None:
@@ -244,6 +257,16 @@ def test_components_match_whatever_their_order() -> None:
     assert isinstance(isomorphism(accepted(one), accepted(other)), Different)
     assert canonical_form(accepted(one)) == canonical_form(accepted(same))
     assert canonical_form(accepted(one)) != canonical_form(accepted(other))
+
+
+@pytest.mark.parametrize("order", list(permutations(range(3))))
+def test_each_component_is_found_wherever_it_stands(order: tuple[int, ...]) -> None:
+    """Clause: CPLX-ISO-1. Fans that differ in their walks alone, and one that has no twin."""
+    fans = (fan_with_ear(2), fan_with_ear(3), fan_with_ear(2))
+    first, second = accepted(beside(*fans)), accepted(beside(*(fans[i] for i in order)))
+    answer = isomorphism(first, second)
+    assert isinstance(answer, Isomorphic)
+    assert is_isomorphism(first, second, answer) == Holds()
 
 
 def test_one_certificate_by_hand() -> None:

@@ -209,6 +209,12 @@ def test_limits() -> None:
     assert isinstance(vertices, Rejected)
     assert vertices.reason == Reason.TOO_MANY_VERTICES
     assert vertices.clause == Clause.CPLX_REJECT_2
+    assert first_fault(SQUARE, Limits(2, 4)) is None
+    many = Rejected(Reason.TOO_MANY_FACES, Clause.CPLX_REJECT_2, WHOLE)
+    assert first_fault(SQUARE, Limits(1, 3)) == many
+    assert first_fault(SQUARE, Limits(2, 3)) == Rejected(
+        Reason.TOO_MANY_VERTICES, Clause.CPLX_REJECT_2, WHOLE
+    )
 
 
 @pytest.mark.parametrize(("vertices", "surfaces"), [(4, 6), (5, 30 * 6)])

@@ -21,7 +21,7 @@ from golden_complexes import (
 
 from clers.complexes.definition import is_orientable, is_surface
 from clers.complexes.face_list import FaceList
-from clers.complexes.homology import Field, betti, coherent_chains
+from clers.complexes.homology import Field, betti, coherent_chains, rank_over_gf2, rank_over_q
 from clers.complexes.simplicial import (
     boundary,
     closure,
@@ -85,6 +85,16 @@ def test_betti_numbers(given: FaceList, over_gf2: tuple[int, ...], over_q: tuple
     """Clauses: CPLX-HOMOLOGY-1, CPLX-HOMOLOGY-2. The textbook's values, one-sided surfaces too."""
     assert betti(closure(given.faces), Field.GF2) == over_gf2
     assert betti(closure(given.faces), Field.Q) == over_q
+
+
+def test_ranks_by_hand() -> None:
+    """Clause: CPLX-HOMOLOGY-1. The last row is half the first, and the pivots are not ±1."""
+    rows = [{0: 2, 1: 6}, {0: 3, 2: 5}, {0: 1, 1: 3}]
+    assert rank_over_q(rows) == 2
+    assert rank_over_q([{0: 2, 1: 6}, {0: 1, 1: 2}]) == 2
+    # modulo 2 they are 0, 1 0 1 and 1 1 0
+    assert rank_over_gf2(rows) == 2
+    assert rank_over_gf2([{0: 2, 1: 6}, {0: 1, 1: 2}]) == 1
 
 
 def test_homology_in_other_dimensions() -> None:
