@@ -165,6 +165,19 @@ def test_mutant_that_cannot_be_imported_is_killed(toy: Path) -> None:
     assert found == {("0", Fate.KILLED, "import"), ("2", Fate.KILLED, "import")}
 
 
+def test_mutant_that_takes_the_tests_away_survives(toy: Path) -> None:
+    """Clause: TOOL-MUTATION-3."""
+    (toy / "toy" / "other.py").write_text("A = 1\n")
+    (toy / "tests" / "test_toy.py").write_text(
+        "import pytest\nfrom toy.other import A\n\n"
+        "@pytest.mark.parametrize('a', [A])\ndef test(a):\n    pass\n"
+    )
+    done = command(toy, "toy.other", "--json", "out.json")
+    assert done.returncode == 0, done.stderr
+    found = {(j.mutant.after, j.fate, j.by) for j in read(toy / "out.json").judged}
+    assert found == {("0", Fate.SURVIVED, ""), ("2", Fate.SURVIVED, "")}
+
+
 def test_sample_by_the_seed_alone(toy: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Clause: TOOL-MUTATION-5."""
     monkeypatch.syspath_prepend(toy)
