@@ -214,6 +214,13 @@ def test_purity() -> None:
     assert interior(points) == Accepted(points.simplices)
 
 
+def test_the_blamed_facet_is_sorted() -> None:
+    """Clause: CPLX-PURE-2."""
+    rejected = pure_boundary(closure([(0, 2, 3), (1, 8)]))
+    assert isinstance(rejected, Rejected)
+    assert rejected.where == AtSimplex((1, 8))
+
+
 def test_interior_of_a_square() -> None:
     """Clause: CPLX-PURE-3."""
     square = closure([(0, 1, 2), (0, 2, 3)])

@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import combinations
+from operator import le
 
 from clers.complexes.affine import Point, corners_of_intersection, in_general_position, is_circuit
 from clers.complexes.facets import Row, from_facets, row
@@ -93,20 +95,14 @@ def overlap(points: Sequence[Point], k: Complex) -> Pair | None:
 
 
 def near_pairs(points: Sequence[Point], k: Complex) -> Iterator[Pair]:
-    """The pairs of simplices whose bounding boxes meet, by a sweep along the first coordinate.
+    """The pairs of simplices whose bounding boxes meet, each once.
 
-    Each pair comes once. Simplices that meet have boxes that do. Clause: CPLX-GEOMETRIC-6.
+    Simplices that meet have boxes that do. Clause: CPLX-GEOMETRIC-6.
     """
-    boxes: list[tuple[Point, Point, Row]] = []
+    boxes: list[tuple[Row, list[Fraction], list[Fraction]]] = []
     for vertices in map(row, k.simplices):
         axes = list(zip(*(points[v] for v in vertices), strict=True))
-        boxes.append((tuple(map(min, axes)), tuple(map(max, axes)), vertices))
-    boxes.sort()
-    open_boxes: list[tuple[Point, Point, Row]] = []
-    for low, high, vertices in boxes:
-        open_boxes = [box for box in open_boxes if box[1][:1] >= low[:1]]
-        for other_low, other_high, other in open_boxes:
-            meets = all(a <= d for a, d in zip(low, other_high, strict=True))
-            if meets and all(a <= d for a, d in zip(other_low, high, strict=True)):
-                yield other, vertices
-        open_boxes.append((low, high, vertices))
+        boxes.append((vertices, [min(axis) for axis in axes], [max(axis) for axis in axes]))
+    for (one, low, high), (other, other_low, other_high) in combinations(boxes, 2):
+        if all(map(le, low, other_high)) and all(map(le, other_low, high)):
+            yield one, other

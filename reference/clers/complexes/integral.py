@@ -1,6 +1,7 @@
 """Homology over the integers, with torsion; and over fields of p elements, to compare."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from clers.complexes.homology import Row, boundary_rows
@@ -22,7 +23,7 @@ class Group:
 def boundary_matrices(k: Complex) -> list[list[Row]]:
     """∂_0 … ∂_{n+1}, the first and the last of them zero. Clause: CPLX-HOMOLOGY-1."""
     simplices = [of_dimension(k, m) for m in range(-1, dimension(k) + 2)]
-    return [boundary_rows(simplices[m], simplices[m + 1]) for m in range(dimension(k) + 2)]
+    return [boundary_rows(lower, upper) for lower, upper in pairwise(simplices)]
 
 
 def homology_over_z(k: Complex) -> tuple[Group, ...]:
@@ -50,7 +51,12 @@ def rank_modulo(p: Prime, rows: list[Row]) -> int:
     pivots: dict[int, Row] = {}
     for row in rows:
         left = {j: entry % p for j, entry in row.items() if entry % p}
-        while left and (last := max(left)) in pivots:
+        while left:
+            last = max(left)
+            if last not in pivots:
+                inverse = pow(left[last], -1, p)
+                pivots[last] = {j: entry * inverse % p for j, entry in left.items()}
+                break
             times = left[last]
             for j, entry in pivots[last].items():
                 value = (left.get(j, 0) - times * entry) % p
@@ -58,8 +64,4 @@ def rank_modulo(p: Prime, rows: list[Row]) -> int:
                     left[j] = value
                 else:
                     left.pop(j, None)
-        if left:
-            last = max(left)
-            inverse = pow(left[last], -1, p)
-            pivots[last] = {j: entry * inverse % p for j, entry in left.items()}
     return len(pivots)

@@ -1,8 +1,6 @@
 """One simplex by itself: its faces, its frontier, and what it has to do with another."""
 
-from itertools import combinations
-
-from clers.complexes.simplicial import Simplex
+from clers.complexes.simplicial import Simplex, closure
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -11,8 +9,8 @@ from clers.conventions.where import AtVertex
 
 def faces(simplex: Simplex, m: int | None = None) -> frozenset[Simplex]:
     """Its subsets that are not empty; with m, those of dimension m. Clause: CPLX-SIMPLEX-1."""
-    sizes = range(1, len(simplex) + 1) if m is None else range(max(m, 0) + 1, m + 2)
-    return frozenset(frozenset(face) for size in sizes for face in combinations(simplex, size))
+    every = closure([simplex]).simplices
+    return every if m is None else frozenset(face for face in every if len(face) == m + 1)
 
 
 def frontier(simplex: Simplex) -> frozenset[Simplex]:

@@ -76,8 +76,9 @@ def smith(matrix: Matrix) -> Smith:
         _swap(a, t, *place)
         if _clear(a, t, height, width):
             continue
-        odd = next((i for i in range(t + 1, height) if any(x % a[t][t] for x in a[i][:width])), -1)
-        if odd >= 0:
+        left = range(t + 1, height)
+        odd = next((i for i in left if any(x % a[t][t] for x in a[i][:width])), None)
+        if odd is not None:
             _add(a, odd, t, 1)
             continue
         if a[t][t] < 0:
@@ -108,14 +109,14 @@ def _swap(a: list[list[int]], t: int, i: int, j: int) -> None:
 
 
 def _clear(a: list[list[int]], t: int, height: int, width: int) -> bool:
-    """Take the pivot out of its column and row; does something less than it remain there?"""
+    """Take the pivot out of its column and row; does something less than it remain in the row?"""
     for i in range(t + 1, height):
         _add(a, t, i, -(a[i][t] // a[t][t]))
     for j in range(t + 1, width):
         times = a[t][j] // a[t][t]
         for row in a:
             row[j] -= times * row[t]
-    return any(a[i][t] for i in range(t + 1, height)) or any(a[t][t + 1 : width])
+    return any(a[t][t + 1 : width])
 
 
 def _add(a: list[list[int]], source: int, target: int, times: int) -> None:
@@ -146,7 +147,7 @@ def invariant_factors(rows: Iterable[Row]) -> tuple[int, ...]:
 
 def _reduced(row: Row, pivots: dict[int, Row]) -> Row:
     """The row without entries in the columns of pivots."""
-    left = {j: entry for j, entry in row.items() if entry}
+    left = dict(row)
     for column, pivot in pivots.items():
         times = left.get(column, 0) * pivot[column]
         if times:
