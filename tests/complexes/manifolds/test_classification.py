@@ -205,6 +205,9 @@ def test_names_go_on_in_their_order() -> None:
     path = closure([(1, 3), (3, 5), (5, 7)])
     expected = closure([(0, 10), (1, 10), (0,), (1, 11), (11, 12)])
     assert glued(circle, (0, 1), path, (1, 3)) == expected
+    back = closure([(3, 5), (5, 8), (8, 1)])
+    crossed = closure([(0, 10), (1, 10), (0,), (1, 12), (12, 11)])
+    assert glued(circle, (0, 1), back, (3, 5)) == crossed
 
 
 def test_one_inner_simplex_is_enough() -> None:

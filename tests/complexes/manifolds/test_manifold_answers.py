@@ -5,7 +5,7 @@ from itertools import combinations
 import pytest
 from hypothesis import given, settings
 
-from clers.complexes.integral import homology_over_z
+from clers.complexes.integral import Group, homology_over_z
 from clers.complexes.known import (
     BALLS,
     BOOK,
@@ -28,7 +28,12 @@ from clers.complexes.known import (
 )
 from clers.complexes.manifolds.classification import Homeomorphic, homeomorphism
 from clers.complexes.manifolds.given import Prescribed
-from clers.complexes.manifolds.homology_type import Looks, is_manifold_by_homology, looks
+from clers.complexes.manifolds.homology_type import (
+    Looks,
+    is_manifold_by_homology,
+    looks,
+    over_gf2,
+)
 from clers.complexes.manifolds.kind import (
     Ball,
     Flaw,
@@ -169,6 +174,11 @@ def test_the_simplex_to_blame(k: Complex, simplex: frozenset[int], flaw: Flaw) -
 def test_spheres_and_balls(k: Complex, expected: LinkKind) -> None:
     """Clauses: CPLX-SPHERE-1, CPLX-SPHERE-3."""
     assert recognise(k) == expected
+
+
+def test_two_elements_see_the_twist() -> None:
+    """The projective plane over the field of two elements: 1, 1, 1. Clause: CPLX-MANIFOLD-4."""
+    assert over_gf2(PROJECTIVE.complex) == (Group(1, ()),) * 3
 
 
 def test_a_point_does_not_look_like_the_empty_sphere() -> None:
