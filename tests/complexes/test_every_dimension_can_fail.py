@@ -21,6 +21,7 @@ from clers.complexes.smith import Matrix, Smith, factors_by_minors, smith
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.verdict import Fails, Holds
 
+PLANE = PROJECTIVE.complex
 X = closure([(0, 1, 2, 3), (3, 4, 5), (5, 6), (7,)])
 TWO = (closure([(0, 1), (2,)]), closure([(10, 11), (11, 12), (10, 12)]))
 ROWS: tuple[Row, ...] = ((0, 1), (), (-1,))
@@ -92,6 +93,10 @@ def f_vector_with_one_more(k: Complex) -> tuple[int, ...]:
 
 def one_piece(k: Complex) -> tuple[Complex, ...]:
     return (k,)
+
+
+def no_piece(_: Complex) -> tuple[Complex, ...]:
+    return ()
 
 
 def union_for_join(one: Complex, other: Complex) -> Accepted[Complex] | Rejected:
@@ -212,6 +217,7 @@ FAULTS: list[tuple[str, ModuleType, str, object, object]] = [
     ("skeleton-is-the-largest-subcomplex-of-its-dimension", P, "skeleton", lower_skeleton, X),
     ("f-vector-counts-every-simplex", P, "f_vector", f_vector_with_one_more, X),
     ("connected-is-what-no-two-subcomplexes-part", P, "pieces", one_piece, X),
+    ("connected-is-what-no-two-subcomplexes-part", P, "pieces", no_piece, BOOK.complex),
     ("join-has-each-pair-once", P, "join", union_for_join, TWO),
     ("joins-are-an-algebra", P, "join", join_of_facets, TWO),
     ("homology-of-a-join-is-the-product", P, "join", union_for_join, TWO),
@@ -224,12 +230,12 @@ FAULTS: list[tuple[str, ModuleType, str, object, object]] = [
     ("smith-form-has-a-certificate", Z, "smith", unsorted_smith, MATRIX),
     ("smith-form-has-a-certificate", Z, "smith", untransformed, MATRIX),
     ("boundary-matrices-compose-to-zero", Z, "boundary_matrices", without_signs, X),
-    ("rank-over-z-is-the-betti-number-over-q", Z, "homology_over_z", torsion_of_one, X),
+    ("rank-over-z-is-the-betti-number-over-q", Z, "homology_over_z", torsion_of_one, PLANE),
     ("rank-over-z-is-the-betti-number-over-q", Z, "homology_over_z", shifted, X),
-    ("homology-has-no-torsion-at-its-ends", Z, "homology_over_z", torsion_of_one, X),
+    ("homology-has-no-torsion-at-its-ends", Z, "homology_over_z", torsion_of_one, PLANE),
     ("homology-has-no-torsion-at-its-ends", Z, "homology_over_z", shifted, X),
-    ("universal-coefficients", Z, "homology_over_z", without_torsion, PROJECTIVE.complex),
-    ("universal-coefficients", Z, "betti_modulo", always_over_q, PROJECTIVE.complex),
+    ("universal-coefficients", Z, "homology_over_z", without_torsion, PLANE),
+    ("universal-coefficients", Z, "betti_modulo", always_over_q, PLANE),
     ("overlaps-are-found-among-circuits", G, "overlap", never_overlapping, CROSSED),
     ("overlaps-are-found-among-circuits", G, "overlap", other_way_round, CROSSED),
     ("degenerate-is-what-has-no-volume", G, "in_general_position", never_independent, SQUARE),

@@ -4,6 +4,7 @@ import pytest
 
 from clers.complexes.complex_text import read_complex, write_complex
 from clers.complexes.facets import MOST_VERTICES, facets, from_facets, row, top_simplices
+from clers.complexes.known import ONE_OF_EACH
 from clers.complexes.neighbourhood import closed_star, valence
 from clers.complexes.parts import f_vector, is_subcomplex, join, skeleton
 from clers.complexes.purity import impure_at, interior, pure_boundary
@@ -87,7 +88,8 @@ def test_the_empty_complex() -> None:
 
 
 def test_facets_of_the_example() -> None:
-    """Clauses: CPLX-FACET-2, CPLX-PART-2."""
+    """Clauses: CPLX-FACET-2, CPLX-PART-2, CPLX-KNOWN-1."""
+    assert ONE_OF_EACH.complex == X
     assert facets(X) == ((0, 1, 2, 3), (3, 4, 5), (5, 6), (7,))
     assert top_simplices(X) == (s(0, 1, 2, 3),)
     assert f_vector(X) == (8, 10, 5, 1)
