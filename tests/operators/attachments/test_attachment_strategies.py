@@ -62,7 +62,8 @@ def test_a_planted_bug_in_the_handles(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_script_with_something_undone() -> None:
     """A vertex, and away again."""
-    found = smallest(attachment_scripts(), lambda s: any(isinstance(step, Undo) for step in s))
+    scripts = attachment_scripts(3, 4)
+    found = smallest(scripts, lambda s: any(isinstance(step, Undo) for step in s))
     assert found == (Attach(Attachment((0,))), Undo(Attach(Attachment((0,)))))
 
 
@@ -114,7 +115,7 @@ def test_kinds_of_examples() -> None:
     """Most attachments apply; some do not; complexes reach dimension 4 and the empty one."""
     seen: Counter[str] = Counter()
 
-    @settings(max_examples=200)
+    @settings(max_examples=100)
     @given(gluable(), complexes())
     def look(case: Gluable, k: Complex) -> None:
         applies = isinstance(attach(case.before, case.glued), Accepted)
@@ -125,6 +126,6 @@ def test_kinds_of_examples() -> None:
         seen["empty"] += not of_dimension(k, 0)
 
     look()
-    assert seen["applies"] >= 100
-    assert seen["does not"] >= 10
+    assert seen["applies"] >= 50
+    assert seen["does not"] >= 5
     assert min(seen[kind] for kind in ("euler", "pinched", "dimension 4", "empty")) >= 1

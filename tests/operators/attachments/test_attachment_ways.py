@@ -48,11 +48,12 @@ def test_numbers_of_dedekind_in_dimension_four() -> None:
 
 @pytest.mark.parametrize("law", ON_WAYS, ids=lambda law: law.name)
 def test_law_on_every_way(law: AnyLaw) -> None:
-    """All 248 classes with their laws, in two complexes each."""
+    """All 248 classes with their laws; those up to dimension 3 in two complexes each."""
     for m in range(5):
         for glued in ways(m):
             assert law.check(alone(glued)) == Holds(), glued
-            assert law.check(in_more(glued)) == Holds(), glued
+            if m < 4:
+                assert law.check(in_more(glued)) == Holds(), glued
 
 
 def test_euler_attachments_and_orders_counted() -> None:
