@@ -1,5 +1,7 @@
 """Polytopes from books: their counts, kinds, duals and graphs."""
 
+from itertools import combinations
+
 import networkx as nx
 import pytest
 from golden_polytopes import (
@@ -33,6 +35,7 @@ from clers.complexes.polytopes.cells import (
     vertices_of,
 )
 from clers.complexes.polytopes.construct import polytope
+from clers.complexes.polytopes.definition import is_polytope
 from clers.complexes.polytopes.dual import Graph, dual, dual_graph, primal_graph
 from clers.complexes.polytopes.flags import flags, is_orientable
 from clers.complexes.polytopes.kind import Kind, kinds
@@ -80,6 +83,7 @@ def test_duals_of_books(
     other = dual(of)
     assert isinstance(other, Accepted)
     assert counts(of) == numbers
+    assert is_polytope(of)
     assert counts(other.value) == numbers[::-1]
     assert isomorphic((primal_graph(of)), primal)
     assert isomorphic((dual_graph(of)), of_dual)
@@ -261,10 +265,11 @@ def test_the_dual_graph_of_a_strip_is_a_path() -> None:
 def test_rejections(
     of: CellList, clause: int, reason: Reason, where: tuple[int, int] | None
 ) -> None:
-    """Clauses: CPLX-POLYTOPE-2 … CPLX-POLYTOPE-7."""
+    """Clauses: CPLX-POLYTOPE-2 … CPLX-POLYTOPE-8."""
     answer = polytope(of)
     assert isinstance(answer, Rejected)
     assert (answer.reason, answer.clause) == (reason, Clause(f"CPLX-POLYTOPE-{clause}"))
+    assert not is_polytope(of)
     if where is not None:
         assert answer.where == AtCell(*where)
 
@@ -288,5 +293,17 @@ def test_two_spheres_that_touch_twice_are_no_frontier() -> None:
     first = [(pole, a, b) for pole in (0, 1) for a, b in ring]
     both = simplicial(*first, *((pole, a + 4, b + 4) for pole, a, b in first))
     assert euler(both) == 2
-    answer = polytope(CellList(both.vertices, (*both.cells, (frozenset(range(16)),))))
+    touching = CellList(both.vertices, (*both.cells, (frozenset(range(16)),)))
+    assert not is_polytope(touching)
+    answer = polytope(touching)
     assert answer == Rejected(Reason.BAD_FRONTIER, Clause.CPLX_POLYTOPE_6, AtCell(3, 0))
+
+
+def test_a_cone_over_a_sphere_and_a_torus_is_no_manifold() -> None:
+    """χ = 2, closed, but not connected: the apex is to blame. Clause: CPLX-POLYMANIFOLD-1."""
+    torus = [(i, (i + a) % 7, (i + 3) % 7, 11) for i in range(7) for a in (1, 2)]
+    sphere = [(*triangle, 11) for triangle in combinations(range(7, 11), 3)]
+    cone = simplicial(*torus, *sphere)
+    assert dual(cone) == Rejected(Reason.NOT_A_MANIFOLD, Clause.CPLX_DUAL_1, AtCell(0, 11))
+    assert is_manifold(simplicial(*sphere))
+    assert not is_manifold(simplicial(*torus))

@@ -145,6 +145,7 @@ FAULTS: Final = (
     (replace(LENS, face=(-1,) * 4, of_face=()), 8, "face", 0),
     (replace(M, of_vertex=entry(M.of_vertex, 1, 1)), 8, "of_vertex", 1),
     (BOW_TIE, 8, "of_vertex", 0),
+    (replace(M, previous=M.next), 3, "next", 0),
 )
 
 
