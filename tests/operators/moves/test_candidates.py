@@ -67,6 +67,7 @@ def test_choices() -> None:
 def test_vary() -> None:
     """Clause: OPER-MOVE-7."""
     assert vary(PATH, ()) == PATH
+    assert vary(TRIANGLE, [0, 2]) == vary(TRIANGLE, [2]) != TRIANGLE
     assert vary(PATH, [0]) == closure([(0, 2)])
     assert vary(PATH, [0, 0]) == closure([(0, 2)])
     assert vary(PATH, [2], most=3) == PATH

@@ -3,9 +3,15 @@
 from moved import after
 
 from clers.complexes.known import DUNCE
-from clers.complexes.simplicial import dimension, of_dimension
+from clers.complexes.simplicial import Complex, closure, dimension, of_dimension
 from clers.conventions.result import Accepted
-from clers.operators.moves.collapsible import NotCollapsible, Stuck, collapse_to_point
+from clers.operators.moves.collapsible import (
+    Collapsible,
+    NotCollapsible,
+    Stuck,
+    Undecided,
+    collapse_to_point,
+)
 from clers.operators.moves.move import Collapse, Expand
 from clers.operators.moves.text import read
 
@@ -36,6 +42,26 @@ def test_it_is_contractible() -> None:
     assert dimension(grown) == 3
     assert len(of_dimension(grown, 3)) == 2
     assert after(grown, *down.value).simplices == {frozenset([7])}
+
+
+RENAMED = {1: 4, 6: 5, 7: 6, 2: 7, 4: 8, 5: 9, 0: 10, 3: 11}
+"""So that the free walls added last are the first to be tried: they lead back to the hat."""
+
+
+def test_the_search_goes_back_from_the_hat() -> None:
+    """One tetrahedron more is collapsed first, and must stay so. Clause: OPER-COLLAPSE-6."""
+    up = read(EXPANSIONS)
+    assert isinstance(up, Accepted)
+    grown = after(DUNCE.complex, *up.value)
+    renamed = frozenset(frozenset(RENAMED[v] for v in s) for s in grown.simplices)
+    k = Complex(renamed | closure([(1, 2, 3, 4)]).simplices)
+    found = collapse_to_point(k)
+    assert isinstance(found, Collapsible)
+    assert len(after(k, *found.moves).simplices) == 1
+    # the third collapse leads to the hat, and another in its place does not
+    assert collapse_to_point(k, 3) == Undecided(3)
+    assert collapse_to_point(k, 4) == found
+    assert [move.coface for move in found.moves[:2]] == [(1, 2, 3, 4), (4, 5, 6, 10)]
 
 
 def test_it_does_not_collapse() -> None:

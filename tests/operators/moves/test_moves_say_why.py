@@ -6,7 +6,7 @@ from moved import Simplices
 from clers.complexes.simplicial import closure
 from clers.conventions.result import Rejected
 from clers.operators.moves.apply import apply
-from clers.operators.moves.move import Collapse, Contract, Move, Split, Subdivide
+from clers.operators.moves.move import Bistellar, Collapse, Contract, Move, Split, Subdivide
 
 LINES: tuple[tuple[Move, Simplices, str], ...] = (
     (
@@ -20,6 +20,30 @@ LINES: tuple[tuple[Move, Simplices, str], ...] = (
         ((0, 1, 2),),
         "malformed: bad-operand of the whole input [OPER-MOVE-2]: "
         "(0, 1, 2) is not (0,) and one vertex more",
+    ),
+    (
+        Collapse((1, 0), (2, 1, 0)),
+        ((0, 1, 2),),
+        "malformed: bad-operand of the whole input [OPER-MOVE-2]: "
+        "(1, 0) is not a list of vertices from 0 in increasing order",
+    ),
+    (
+        Contract(-1, -2),
+        ((0, 1, 2),),
+        "malformed: bad-operand of the whole input [OPER-MOVE-2]: "
+        "(-1,) is not a list of vertices from 0 in increasing order",
+    ),
+    (
+        Subdivide((1, 0), -2),
+        ((0, 1, 2),),
+        "malformed: bad-operand of the whole input [OPER-MOVE-2]: "
+        "(1, 0) is not a list of vertices from 0 in increasing order",
+    ),
+    (
+        Bistellar((1, 0), (3, 2)),
+        ((0, 1, 2),),
+        "malformed: bad-operand of the whole input [OPER-MOVE-2]: "
+        "(1, 0) is not a list of vertices from 0 in increasing order",
     ),
     (
         Contract(2, 2),

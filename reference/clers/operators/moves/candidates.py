@@ -71,11 +71,18 @@ KINDS: Final[tuple[Kind, ...]] = (contractions, flips, subdivisions, splits)
 
 def chosen(k: Complex, choice: int, kinds: Sequence[Kind] = KINDS) -> Move | None:
     """The move that a number chooses: first the kind, then where. None where none applies."""
+    found = _first(k, choice, kinds)
+    return None if found is None else found[0]
+
+
+def _first(k: Complex, choice: int, kinds: Sequence[Kind]) -> tuple[Move, Complex] | None:
+    """The first move from the chosen place on that applies, and what it leads to."""
     moves = list(kinds[choice % len(kinds)](k))
     start = choice // len(kinds) % max(len(moves), 1)
-    for move in moves[start:] + moves[:start]:
-        if isinstance(apply(move, k), Accepted):
-            return move
+    for move in moves[start:] + moves:
+        after = apply(move, k)
+        if isinstance(after, Accepted):
+            return move, after.value
     return None
 
 
@@ -87,10 +94,7 @@ def vary(
     Homeomorphic to the given one, where that is a combinatorial manifold. Clause: OPER-MOVE-7.
     """
     for choice in choices:
-        move = chosen(k, choice, kinds)
-        if move is None:
-            continue
-        after = apply(move, k)
-        if isinstance(after, Accepted) and len(of_dimension(after.value, 0)) <= most:
-            k = after.value
+        found = _first(k, choice, kinds)
+        if found is not None and len(of_dimension(found[1], 0)) <= most:
+            k = found[1]
     return k
