@@ -15,7 +15,7 @@ For a property test of your own encoder:
 with positions, in `solids`; `complexes` of every dimension, most of them no manifolds, in
 `every_dimension`; `manifolds` of prescribed dimension, orientability, genus, curves and
 components, and slightly `broken` ones, in `manifolds`; `face_lists`, some of them faulty, in
-`face_lists`; pairs under two labellings in `relabelled`. Without Hypothesis: `families` and `irregular` make meshes of any size,
-`kinds.random_script` makes scripts. `domains.strategy_for` finds the strategy of a law's domain,
-and `distribution` prints what the strategies reach.
+`face_lists`; pairs under two labellings in `relabelled`. Without Hypothesis: `families` and
+`irregular` make meshes of any size, `kinds.random_script` makes scripts. `domains.strategy_for`
+finds the strategy of a law's domain, and `distribution` prints what the strategies reach.
 """
