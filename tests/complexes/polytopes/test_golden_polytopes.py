@@ -40,9 +40,10 @@ from clers.complexes.polytopes.dual import Graph, dual, dual_graph, primal_graph
 from clers.complexes.polytopes.flags import flags, is_orientable
 from clers.complexes.polytopes.kind import Kind, kinds
 from clers.complexes.polytopes.manifold import is_manifold
-from clers.complexes.polytopes.order import order_complex, to_complex
+from clers.complexes.polytopes.order import from_complex, order_complex, to_complex
 from clers.complexes.polytopes.polygons import PolygonList, cell_list
 from clers.complexes.polytopes.products import circle, cube, polygon, skeleton, times
+from clers.complexes.simplicial import Complex
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -164,6 +165,7 @@ def test_the_triangle_cell_by_cell() -> None:
 def test_nothing_is_a_polytope() -> None:
     """No cell at all: dimension −1. Clauses: CPLX-CELL-1, CPLX-POLYTOPE-1."""
     nothing = made(polytope(CellList(0, ((), ()))))
+    assert from_complex(Complex(frozenset())) == CellList(0, ())
     assert nothing == Polytope(0, ())
     assert (dimension(nothing), euler(nothing), counts(nothing)) == (-1, 0, ())
     assert dual(nothing) == Accepted(nothing)
@@ -180,6 +182,7 @@ BOUNDED = (
     (simplicial((0, 1), (0, 2), (0, 3)), Reason.NOT_A_MANIFOLD, (0, 0)),
     (simplicial((0, 1, 2, 3), (3, 4, 5, 6)), Reason.NOT_A_MANIFOLD, (0, 3)),
     (simplicial((0, 1), (2,)), Reason.NOT_A_MANIFOLD, (0, 2)),
+    (simplicial((0, 1, 2), (0, 1, 3), (0, 1, 4)), Reason.NOT_A_MANIFOLD, (0, 0)),
 )
 
 
