@@ -9,7 +9,7 @@ from clers.conventions.result import Accepted
 from clers.generate.surfaces import surfaces
 from clers.operators.sheets.apply import apply
 from clers.operators.sheets.build import build
-from clers.operators.sheets.given import SheetStep
+from clers.operators.sheets.given import FOR_SURFACES, SheetStep
 from clers.operators.sheets.operator import Operator, Script, taken_apart
 from clers.operators.sheets.proposals import Choice, proposed
 from clers.operators.sheets.sheet import EMPTY, Sheet, vertices
@@ -18,15 +18,6 @@ from clers.operators.sheets.text import NAME, UNDONE, name_of, named, operands
 
 MAKING: Final = tuple(NAME.values())
 UNDOING: Final = tuple(UNDONE)
-FOR_SURFACES: Final = (
-    "zero-handle",
-    "complete",
-    "glue",
-    "join-strip",
-    "lower-strip",
-    "upper-strip",
-    "two-handle",
-)
 UNDOING_SURFACES: Final = tuple(f"undo-{name}" for name in FOR_SURFACES)
 
 
@@ -36,7 +27,7 @@ def choices(making: tuple[str, ...], undoing: tuple[str, ...]) -> st.SearchStrat
     return st.tuples(names, st.integers(0, 40), st.integers(0, 40))
 
 
-def _script(start: Script, picks: list[Choice]) -> tuple[Script, Sheet]:
+def _script(picks: list[Choice], start: Script) -> tuple[Script, Sheet]:
     """A script that applies, and what it makes: choices that do not apply are passed over."""
     sheet, script = EMPTY, list[Operator]()
     for what in (*start, *picks):
@@ -68,8 +59,9 @@ def _beginnings(draw: st.DrawFn) -> Script:
 
 
 def _drawn(max_choices: int) -> st.SearchStrategy[tuple[Script, Sheet]]:
+    # The picks first, so that they stay what they are when the beginning shrinks to nothing.
     picks = st.lists(choices(MAKING, UNDOING), max_size=max_choices)
-    return st.builds(_script, _beginnings(), picks)
+    return st.builds(_script, picks, _beginnings())
 
 
 def sheet_scripts(max_choices: int = 12) -> st.SearchStrategy[Script]:
@@ -85,8 +77,9 @@ def sheets(max_choices: int = 12) -> st.SearchStrategy[Sheet]:
 @st.composite
 def sheet_steps(draw: st.DrawFn) -> SheetStep:
     """A sheet, and an operator that it suggests, or one with an operand exchanged."""
-    sheet = draw(st.one_of(sheets(), sheets(0)))
-    operator = proposed(draw(choices(MAKING, UNDOING)), sheet)
+    choice = draw(choices(MAKING, UNDOING))
+    sheet = draw(sheets(draw(st.sampled_from((12, 0)))))
+    operator = proposed(choice, sheet)
     return SheetStep(sheet, draw(_perhaps_exchanged(operator, sheet)))
 
 

@@ -16,6 +16,20 @@ from clers.operators.sheets.proposals import in_reach
 from clers.operators.sheets.sheet import Sheet
 from clers.operators.sheets.text import WITH_FOUR, WITH_THREE, operands
 
+FOR_SURFACES: Final = (
+    "zero-handle",
+    "complete",
+    "glue",
+    "join-strip",
+    "lower-strip",
+    "upper-strip",
+    "two-handle",
+)
+"""The names of the surface operators that make. Clause: OPER-SURFACE-10."""
+
+ALMOST: Final = ("make-te", "lower", "kill-te")
+"""Some that are none."""
+
 
 @dataclass(frozen=True, slots=True)
 class SheetStep:
@@ -67,3 +81,10 @@ def steps_in_reach(step: SheetStep) -> Iterator[Operator]:
         yield operator
         yield Undo(operator)
     yield from in_reach(step.before)
+
+
+def on_surfaces(step: SheetStep) -> Iterator[Operator]:
+    """The operator of a step, and what the sheet suggests of surface operators and some others."""
+    yield step.operator
+    undoing = (f"undo-{name}" for name in FOR_SURFACES)
+    yield from in_reach(step.before, (*FOR_SURFACES, *undoing, *ALMOST))

@@ -10,7 +10,7 @@ from clers.conventions.result import Accepted, Rejected
 from clers.conventions.verdict import Fails, Verdict
 from clers.conventions.where import WHOLE
 from clers.operators.sheets.apply import apply
-from clers.operators.sheets.given import SURFACE_STEPS, SheetStep, steps_in_reach
+from clers.operators.sheets.given import SURFACE_STEPS, SheetStep, on_surfaces
 from clers.operators.sheets.operator import (
     Complete,
     Glue,
@@ -32,7 +32,7 @@ def _surface_again(step: SheetStep) -> Verdict:
     return every(
         *(
             _whole(after.value)
-            for operator in steps_in_reach(step)
+            for operator in on_surfaces(step)
             for after in (apply_to_surface(operator, step.before),)
             if isinstance(after, Accepted)
         )
@@ -79,7 +79,7 @@ def may(operator: Operator, before: Sheet) -> bool:
 def _exactly(step: SheetStep) -> Verdict:
     """A surface operator applies exactly if it applies to the sheet and its conditions hold."""
     verdicts = []
-    for operator in steps_in_reach(step):
+    for operator in on_surfaces(step):
         on_sheet = apply(operator, step.before)
         expected = isinstance(on_sheet, Accepted) and may(operator, step.before)
         got = apply_to_surface(operator, step.before)
@@ -94,7 +94,7 @@ def _back(step: SheetStep) -> Verdict:
     return every(
         *(
             same(Accepted(step.before), apply_to_surface(inverse(operator), after.value))
-            for operator in steps_in_reach(step)
+            for operator in on_surfaces(step)
             for after in (apply_to_surface(operator, step.before),)
             if isinstance(after, Accepted)
         )

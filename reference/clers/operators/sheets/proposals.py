@@ -13,12 +13,14 @@ Choice = tuple[str, int, int]
 MOST_SIDES: Final = 8
 
 
-def in_reach(sheet: Sheet) -> Iterator[Operator]:
-    """Every operator by name, at several sides of the loops, to a few other sides."""
+def in_reach(
+    sheet: Sheet, names: tuple[str, ...] = (*NAME.values(), *UNDONE)
+) -> Iterator[Operator]:
+    """The operators of some names, at several sides of the loops, to a few other sides."""
     sides = sum(len(loop) for loop in sheet.loops)
     tried = range(0, sides or 1, 1 + sides // MOST_SIDES)
     for i in tried:
-        for name in (*NAME.values(), *UNDONE):
+        for name in names:
             others = (i + 2, i + 3, i + sides // 2 + 1) if name in WITH_FOUR else (i,)
             yield from (proposed((name, i, j), sheet) for j in others)
 
