@@ -150,7 +150,6 @@ def cut_edge(mesh: FaceList, choice: int) -> Step:
 
 def _fan(faces: Sequence[Triangle], of: Mapping[Side, int], side: Side, end: int) -> list[int]:
     """The faces at one end of a side, from the face that runs it round to the border."""
-    other = side[0] + side[1] - end
     gate = side
     fan: list[int] = []
     while gate in of and of[gate] not in fan:  # so that no mesh, however wrong, makes it endless
