@@ -21,7 +21,7 @@ def in_reach(
     tried = range(0, sides or 1, 1 + sides // MOST_SIDES)
     for i in tried:
         for name in names:
-            others = (i + 2, i + 3, i + sides // 2 + 1) if name in WITH_FOUR else (i,)
+            others = (i + 2, i + sides // 2 + 1) if name in WITH_FOUR else (i,)
             yield from (proposed((name, i, j), sheet) for j in others)
 
 
