@@ -310,14 +310,14 @@ def test_a_collapse_of_what_is_not_free_shrinks_to_an_arc(
     assert len(found.simplices) <= 7
 
 
-def test_a_wrong_effect_of_contractions_shrinks_to_few_edges(
+def test_a_wrong_bistellar_move_shrinks_to_few_simplices(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A path of two edges is the least complex with an edge to contract."""
-    monkeypatch.setattr(laws_common, "effect", counts_no_vertex)
-    found = failing(named("moves-change-numbers-by-formula"), SHRUNK)
+    """A path of two edges is the least complex with a bistellar move that changes it."""
+    monkeypatch.setattr(laws_stellar, "bistellar", flips_to_the_same)
+    found = failing(named("flip-is-a-subdivision-and-a-weld"), SHRUNK)
     assert isinstance(found, tuple)
     k, move = found
     assert isinstance(k, Complex)
-    assert isinstance(move, Contract)
-    assert len(k.simplices) <= 9
+    assert isinstance(move, Bistellar)
+    assert len(k.simplices) <= 7

@@ -149,6 +149,19 @@ def test_simplifying_takes_vertices_out_first() -> None:
     assert simplifying(SPHERES[4].complex, 100) == ()
 
 
+def test_vertices_go_before_edges() -> None:
+    """Edge 49 lies in three tetrahedra, vertex 10 in four: both may go, and 10 goes first."""
+    k = after(
+        SPHERES[3].complex,
+        Subdivide((0, 1, 2, 3), 9),
+        Bistellar((0, 1, 2), (4, 9)),
+        Subdivide((1, 2, 3, 9), 10),
+    )
+    assert after(k, Bistellar((4, 9), (0, 1, 2))) != k
+    for seed in range(3):
+        assert simplifying(k, 1, seed) == (Bistellar((10,), (1, 2, 3, 9)),)
+
+
 def test_simplifying_is_a_function_of_its_arguments() -> None:
     """Clause: OPER-RECOGNISE-1."""
     k = barycentric(SPHERES[3].complex)

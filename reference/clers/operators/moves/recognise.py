@@ -83,4 +83,4 @@ def shows_sphere(k: Complex, moves: tuple[Bistellar, ...]) -> bool:
 def is_frontier(k: Complex) -> bool:
     """Is it the boundary of a simplex: all sets of its vertices but the empty and the whole?"""
     vertices = len(of_dimension(k, 0))
-    return vertices > 1 and len(k.simplices) == (1 << vertices) - 2
+    return len(k.simplices) == (1 << vertices) - 2

@@ -24,8 +24,8 @@ def simplifying(k: Complex, effort: int, seed: int = 0) -> tuple[Bistellar, ...]
     """At most `effort` moves that apply one after the other, for a closed pure complex.
 
     A move that leaves fewer facets is preferred, best those that remove most; if there is none, one
-    or a few are made at random that add facets or keep their number. It ends where n+2 vertices are
-    left. The same for equal arguments. Clause: OPER-RECOGNISE-1.
+    or a few are made at random that add facets or keep their number. It ends where none
+    applies. The same for equal arguments. Clause: OPER-RECOGNISE-1.
     """
     n = dimension(k)
     draw = Random(seed).random
@@ -33,7 +33,7 @@ def simplifying(k: Complex, effort: int, seed: int = 0) -> tuple[Bistellar, ...]
     now.add(of_dimension(k, n))
     moves: list[Bistellar] = []
     shaken = 0
-    while len(moves) < effort and now.vertices() > n + 2:
+    while len(moves) < effort:
         by_size = now.candidates()
         down = [pairs for size, pairs in sorted(by_size.items()) if 2 * size < n + 2]
         level = [pair for size, pairs in by_size.items() if 2 * size == n + 2 for pair in pairs]
@@ -79,9 +79,6 @@ class _Facets:
                 if not self.of[face]:
                     del self.of[face]
 
-    def vertices(self) -> int:
-        return sum(len(face) == 1 for face in self.of)
-
     def candidates(self) -> dict[int, list[Pair]]:
         """All moves that apply, but those to a new vertex, by the number of vertices of A.
 
@@ -97,7 +94,7 @@ class _Facets:
         return found
 
     def flip(self, a: Simplex, b: Simplex) -> None:
-        self.remove([a | b - {v} for v in sorted(b)])
+        self.remove([a | b - {v} for v in b])
         self.add([a - {v} | b for v in sorted(a)])
 
 
