@@ -1,6 +1,7 @@
 """Mutants of small sources, each list written by hand."""
 
 import ast
+import warnings
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,9 @@ WORDS = {"Colour": ("RED_DARK", "RED_LIGHT", "BLUE"), "One": ("ONLY",)}
 
 
 def sources(source: str) -> set[str]:
-    return {mutated(source, mutant) for mutant in mutants(source, WORDS)}
+    found = [mutated(source, mutant) for mutant in mutants(source, WORDS)]
+    assert len(set(found)) == len(found), "none twice"
+    return set(found)
 
 
 CHANGES = [
@@ -32,6 +35,7 @@ CHANGES = [
     ("a < b < c", {"a <= b < c", "a >= b < c", "a < b <= c", "a < b >= c"}),
     ("(a) < (\n b)", {"(a) <= (\n b)", "(a) >= (\n b)"}),
     ("(a\n < b)", {"(a\n <= b)", "(a\n >= b)"}),
+    ("(a\n\n   < b)", {"(a\n\n   <= b)", "(a\n\n   >= b)"}),
     ("φ < b", {"φ <= b", "φ >= b"}),
     ("(a\nin b)", {"(a\nnot in b)"}),
     ("a + b", {"a - b"}),
@@ -72,6 +76,9 @@ CHANGES = [
     ("f(a, b, c)", {"f(b, a, c)", "f(a, c, b)"}),
     ("f(a, a)", set()),
     ("f(*a, b)", set()),
+    ("f(a, b, *c)", {"f(b, a, *c)"}),
+    ("f((a for a in b), c)", {"f(c, ((a for a in b)))"}),
+    ("isinstance(f(True), B)", {"isinstance(f(False), B)"}),
     ("max(a, b)", {"min(a, b)"}),
     ("min(a, b)", {"max(a, b)"}),
     ("any(a)", {"all(a)"}),
@@ -122,6 +129,12 @@ STATEMENTS = [
     ("match a:\n    case Colour.BLUE:\n        b = c", {
         "match a:\n    case Colour.RED_DARK:\n        b = c",
     }),
+    ("match a:\n    case A(Colour.BLUE, b=Colour.RED_DARK):\n        b = c", {
+        "match a:\n    case A(Colour.RED_DARK, b=Colour.RED_DARK):\n        b = c",
+        "match a:\n    case A(Colour.BLUE, b=Colour.RED_LIGHT):\n        b = c",
+    }),
+    ("class A:\n    b = c | d", {"class A:\n    b = c & d"}),
+    ("def f():\n    b = c | d", {"def f():\n    b = c & d"}),
     ("def f(a=True): b = a", {"def f(a=False): b = a"}),
     ("def f(*, a=True): b = a", {"def f(*, a=False): b = a"}),
     ("def f(a):\n    b = a\n    b = c", {"def f(a):\n    b = a\n    pass"}),
@@ -173,6 +186,8 @@ UNCHANGED = [
     "A = B | C",
     "A = tuple[1, 2]",
     "A: Final[Literal[1]] = b",
+    "A: typing.TypeAlias = B | C",
+    "class A:\n    __slots__: Final = (a + b,)",
     "A = NewType('A', int)",
     "x = tuple[1, 2]()",
     "@f(1, slots=True)\nclass A(B[1]):\n    b: C[1]",
@@ -236,6 +251,23 @@ def test_every_mutant_of_a_module_compiles_and_differs() -> None:
         assert list(found) == sorted(found)
         assert all(isinstance(ast.parse(text), ast.Module) for text in new)
         assert {m.kind for m in found} >= {"comparison", "arithmetic", "constant"}
+
+
+def test_what_compiles_with_a_warning_compiles(recwarn: pytest.WarningsRecorder) -> None:
+    """Clause: TOOL-MUTATION-1."""
+    warnings.simplefilter("error")
+    assert sources("x = a is 'b'") == {"x = a is not 'b'"}
+    assert not recwarn.list
+
+
+def test_members_are_read_from_sources(tmp_path: Path) -> None:
+    """Clause: TOOL-MUTATION-1."""
+    (tmp_path / "within").mkdir()
+    (tmp_path / "within" / "colours.py").write_text(
+        "class A(str, enum.Enum):\n    _x = 1\n    B = 2\n    C = D = 3\n    e.f = 4\n\n"
+        "class G:\n    H = 1\n\nclass I(IntFlag):\n    J = 1\n"
+    )
+    assert vocabulary(tmp_path) == {"A": ("B", "C", "D"), "I": ("J",)}
 
 
 def test_clauses_become_clauses_of_their_chapter() -> None:

@@ -128,12 +128,10 @@ def _call(node: ast.Call, text: Text) -> Iterator[Change]:
             pass
     if isinstance(node.func, ast.Name) and node.func.id in SYMMETRIC | UNREAD | DECLARATIONS:
         return
-    if any(isinstance(arg, ast.Starred) for arg in node.args):
-        return
     for a, b in zip(node.args, node.args[1:], strict=False):
         (line, column, _, _), (_, _, end_line, end_column) = whole(a), whole(b)
         swapped = f"{text.within(b)}, {text.within(a)}"
-        if text.of(a) != text.of(b) and not _bare_generator(a, b):
+        if text.of(a) != text.of(b):
             yield (line, column, end_line, end_column), "arguments", swapped
 
 
@@ -145,10 +143,6 @@ def _slice(cut: ast.Slice, text: Text) -> Iterator[Change]:
         if not isinstance(bound, ast.Constant | ast.UnaryOp):
             yield whole(bound), "slice", f"{text.within(bound)} + 1"
             yield whole(bound), "slice", f"{text.within(bound)} - 1"
-
-
-def _bare_generator(*nodes: ast.expr) -> bool:
-    return any(isinstance(node, ast.GeneratorExp) for node in nodes)
 
 
 def _is_texts(*nodes: ast.expr) -> bool:

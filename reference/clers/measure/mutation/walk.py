@@ -36,7 +36,7 @@ class Around:
 
 def walk(tree: ast.Module) -> Iterator[tuple[ast.AST, Around]]:
     """Each node that may be changed, with what surrounds it; outer nodes before inner ones."""
-    waiting: list[tuple[ast.AST, Around]] = [(node, Around()) for node in _body(tree.body)]
+    waiting: list[tuple[ast.AST, Around]] = [(node, Around()) for node in tree.body]
     while waiting:
         node, around = waiting.pop()
         if isinstance(node, ast.If) and ast.unparse(node.test).startswith(SPECIAL):
@@ -80,9 +80,9 @@ def _parts(node: ast.AST, around: Around) -> Sequence[ast.AST]:
     """The parts of a node that may be changed: no annotations, aliases, decorators, claims."""
     match node:
         case ast.FunctionDef(args=args, body=body) | ast.AsyncFunctionDef(args=args, body=body):
-            return [*_defaults(args), *_body(body)]
+            return [*_defaults(args), *body]
         case ast.ClassDef(body=body):
-            return _body(body)
+            return body
         case ast.Lambda(args=args, body=inner):
             return [*_defaults(args), inner]
         case ast.AnnAssign(target=target, annotation=annotation, value=value):
@@ -120,15 +120,6 @@ def _call(node: ast.Call) -> Sequence[ast.AST]:
 
 def _defaults(args: ast.arguments) -> list[ast.AST]:
     return [*args.defaults, *(default for default in args.kw_defaults if default is not None)]
-
-
-def _body(body: Sequence[ast.stmt]) -> list[ast.AST]:
-    """Statements but for texts that stand alone: docstrings."""
-    return [node for node in body if not _is_text(node)]
-
-
-def _is_text(node: ast.stmt) -> bool:
-    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
 
 
 def _named(target: ast.expr) -> bool:
