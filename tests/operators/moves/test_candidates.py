@@ -17,8 +17,10 @@ from clers.operators.moves.candidates import (
     subdivisions,
     vary,
 )
+from clers.operators.moves.collapse import free_pairs
 from clers.operators.moves.move import Bistellar, Collapse, Contract, Split, Subdivide
 from clers.operators.moves.recognise import recognise
+from clers.operators.moves.split import spanning
 
 TRIANGLE = closure([(0, 1, 2)])
 SQUARE = closure([(0, 1, 2), (0, 2, 3)])
@@ -88,3 +90,16 @@ def test_every_kind_can_apply() -> None:
     for k in (PATH, SQUARE, SPHERES[2].complex, BALLS[3].complex):
         for kind in (subdivisions, splits):
             assert any(isinstance(apply(move, k), Accepted) for move in kind(k))
+
+
+def test_order_is_that_of_numbers_not_of_sets() -> None:
+    """A set of 8 and 1 is walked 8 first."""
+    k = closure([(1, 8), (2, 3)])
+    assert [sorted(s) for s in simplices(k)] == [[1, 8], [2, 3], [1], [2], [3], [8]]
+    free = [sorted(pair[0]) for pair in free_pairs(closure([(1, 8, 9)]))]
+    assert free == [[1, 8], [1, 9], [8, 9]]
+    assert spanning(frozenset({frozenset([8]), frozenset([1]), frozenset([2])})) == (
+        (1,),
+        (2,),
+        (8,),
+    )
