@@ -60,10 +60,10 @@ class Mixed:
 
 
 def _chance(table: Sequence[int], symbol: int) -> tuple[int, int]:
-    """Frequency and total; frequency 0 beyond the end of the table."""
+    """Frequency and total; none of 1 beyond the end of the table."""
     if symbol < len(table) - 1:
         return table[symbol + 1] - table[symbol], table[-1]
-    return 0, table[-1]
+    return 0, 1
 
 
 def _of_open(pairs: Sequence[tuple[Model, int]], unit: int) -> Model:
