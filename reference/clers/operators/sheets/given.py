@@ -57,7 +57,7 @@ def kindred(operator: Operator) -> Iterator[Constructive]:
     Of three vertices also turned, of four also with the two sides exchanged.
     """
     names = operands(operator)
-    yield ZeroHandlePolygon(names)
+    yield from (ZeroHandlePolygon(names), ZeroHandlePolygon(names[:2]))
     if len(names) in (3, 4):
         a, b, c = names[:3]
         for x, y, z in ((a, b, c), (b, c, a), (c, b, a)):
