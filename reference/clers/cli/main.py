@@ -11,6 +11,7 @@ import typer
 from clers import SPEC_VERSION, __version__
 from clers.cli import (
     bench,
+    complexes,
     corpus,
     laws,
     meshes,
@@ -40,11 +41,13 @@ app.command()(repairs.repair)
 app.command()(walks.word)
 app.command()(walks.trace)
 app.command()(schema.schema)
+app.command(name="complex")(complexes.complex_of)
 app.add_typer(bench.app, name="bench")
 app.add_typer(corpus.app, name="corpus")
 app.add_typer(laws.app, name="laws")
 app.add_typer(operators.app, name="operators")
 app.add_typer(spec.app, name="spec")
+app.add_typer(complexes.structure_app, name="structure")
 
 
 def _version(wanted: bool) -> None:

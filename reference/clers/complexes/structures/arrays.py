@@ -2,7 +2,9 @@
 
 import msgspec
 
+from clers.complexes.structures.corner_invariant import corner_table
 from clers.complexes.structures.half_edge import HalfEdges, half_edges
+from clers.complexes.surface import Corner, Surface, Vertex
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -37,6 +39,29 @@ def read_half_edges(content: bytes) -> Accepted[HalfEdges] | Rejected:
             found.of_face,
         )
     )
+
+
+class _Corners(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """The members of the object, named as in CPLX-REFINE-3."""
+
+    vertex: tuple[int, ...]
+    opposite: tuple[int, ...]
+    vertices: int
+
+
+def read_corner_table(content: bytes) -> Accepted[Surface] | Rejected:
+    """A corner table from JSON, or why it is none. Clause: CPLX-REFINE-3."""
+    try:
+        found = msgspec.json.decode(content, type=_Corners)
+    except msgspec.DecodeError as error:
+        return Rejected(Reason.UNREADABLE_FILE, Clause.CPLX_REFINE_3, detail=str(error))
+    vertex, opposite = map(Vertex, found.vertex), map(Corner, found.opposite)
+    return corner_table(Surface(tuple(vertex), tuple(opposite), found.vertices))
+
+
+def write_corner_table(of: Surface) -> bytes:
+    """The same arrays as JSON. Clause: CPLX-REFINE-3."""
+    return msgspec.json.encode(_Corners(of.vertex, of.opposite, of.vertices))
 
 
 def write_half_edges(of: HalfEdges) -> bytes:
