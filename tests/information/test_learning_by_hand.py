@@ -176,6 +176,7 @@ def test_bad_mixings(parts: int, weights: tuple[int, ...], unit: int, where: Whe
     assert isinstance(got, Rejected)
     assert (got.reason, got.clause, got.where) == (Reason.BAD_TABLE, Clause.INFO_MIX_5, where)
     assert isinstance(mixed((END, END), (2**30 - 1, 1), 2**29), Accepted)
+    assert isinstance(mixed((END,), (1,), 1), Accepted)
 
 
 def test_the_unit_that_costs_little() -> None:

@@ -1,4 +1,7 @@
-"""`clers complex` and `clers structure`: what a complex is, and whether arrays are a surface."""
+"""`clers complex` and `clers structure`: what a complex is, and whether arrays are a surface.
+
+Clauses: TOOL-COMPLEX-1, TOOL-STRUCTURE-1, TOOL-STRUCTURE-2.
+"""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal

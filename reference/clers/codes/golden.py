@@ -4,12 +4,13 @@ Two contexts, after a C and elsewhere, with probabilities that are powers of the
 units of log2 φ a symbol costs a whole number, and the sum over a word depends on the surface only.
 """
 
-from math import log2, sqrt
+from math import floor, log2, sqrt
 from typing import Final
 
 from clers.arithmetic import coder
 from clers.arithmetic.bits import Bits
-from clers.codes.implied import NUMBER
+from clers.codes.code import Code, Guarantee
+from clers.codes.implied import NUMBER, implied
 from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
@@ -89,3 +90,20 @@ def units_of(component: Component) -> int:
     if b == 0:
         return 5 * t // 2 - 2 + 8 * g
     return (5 * t + 3 * component.boundary_edges) // 2 - 8 + 8 * g + 4 * b
+
+
+def _bound(parts: tuple[Component, ...]) -> int:
+    """The most bits that a surface of these components takes. Clauses: CODE-GOLDEN-5, -6."""
+    head = implied(sum(c.curves > 0 for c in parts))
+    symbols = sum(c.faces - (c.curves == 0) for c in parts) - len(head)
+    ideal = sum(map(units_of, parts)) - units(head)
+    return floor(ideal * UNIT + 2 + symbols / 15000)
+
+
+CODE: Final = Code(
+    lambda symbols, shape: encode(symbols, shape.head),
+    lambda bits, count, shape: decode(bits, count, shape.head),
+    lambda bits: floor(bits / UNIT) + 2,
+    Guarantee("at most 11T/6 bits on spheres; by its counts on every surface", _bound),
+)
+"""Clauses: CODE-GOLDEN-1 … CODE-GOLDEN-7; CODE-NAME-3, CODE-NAME-4."""

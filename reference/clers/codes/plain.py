@@ -3,6 +3,8 @@
 from typing import Final
 
 from clers.arithmetic.bits import Bits, pack
+from clers.codes.code import Code, Guarantee
+from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -39,3 +41,20 @@ def decode(bits: Bits, count: int) -> Accepted[str] | Rejected:
         detail = f"{len(digits) - at} bits more than {count} symbols need"
         return Rejected(Reason.TRAILING_BITS, Clause.CODE_PLAIN_2, detail=detail)
     return Accepted("".join(symbols))
+
+
+def length(parts: tuple[Component, ...]) -> int:
+    """The bits of a surface, by its counts: three a symbol, less two for each C. CODE-PLAIN-3."""
+    symbols = sum(c.faces - (c.curves == 0) for c in parts)
+    created = sum(c.vertices - (c.boundary_edges or 3) for c in parts)
+    implied = not any(c.curves for c in parts)
+    return 3 * symbols - 2 * created - implied
+
+
+CODE: Final = Code(
+    lambda symbols, shape: encode(symbols),
+    lambda bits, count, shape: decode(bits, count),
+    lambda bits: bits + 1,
+    Guarantee("2T - 2 bits on spheres; by its counts on every surface", length),
+)
+"""Clauses: CODE-PLAIN-1 … CODE-PLAIN-3; CODE-NAME-3, CODE-NAME-4."""

@@ -1,15 +1,17 @@
 """All codes of words, by the name that the command line and the container know them by."""
 
+from collections.abc import Mapping
 from enum import StrEnum
-from math import floor
-from typing import assert_never
+from typing import Final
 
 from clers.arithmetic.bits import Bits
-from clers.codes import golden, plain
+from clers.codes import adaptive, golden, huffman, plain
+from clers.codes.closings import Closing, closings
+from clers.codes.code import Code, Shape
 from clers.codes.implied import coded_part, implied
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
-from clers.conventions.result import Accepted, Rejected
+from clers.conventions.result import Accepted, Rejected, and_then
 from clers.edgebreaker.stream import Stream
 
 
@@ -18,46 +20,55 @@ class CodeName(StrEnum):
 
     PLAIN = "plain"
     GOLDEN = "golden"
+    HUFFMAN = "huffman"
+    ADAPTIVE_1 = "adaptive-1"
+    ADAPTIVE_3 = "adaptive-3"
+    ADAPTIVE_6 = "adaptive-6"
+
+
+CODES: Final[Mapping[CodeName, Code]] = {
+    CodeName.PLAIN: plain.CODE,
+    CodeName.GOLDEN: golden.CODE,
+    CodeName.HUFFMAN: huffman.CODE,
+    CodeName.ADAPTIVE_1: adaptive.code(1),
+    CodeName.ADAPTIVE_3: adaptive.code(3),
+    CodeName.ADAPTIVE_6: adaptive.code(6),
+}
+"""What each name stands for. Clause: CODE-NAME-1."""
 
 
 def encode(code: CodeName, stream: Stream) -> Accepted[Bits] | Rejected:
     """The bits of a stream's word; not its handle data. Clauses: CODE-NAME-1, CODE-NAME-2."""
+
+    def write(part: str, seen: tuple[Closing, ...]) -> Accepted[Bits] | Rejected:
+        shape = Shape(implied(stream.components_with_boundary), seen)
+        return CODES[code].encode(part, shape)
+
     part = coded_part(stream)
     if isinstance(part, Rejected):
         return part
-    match code:
-        case CodeName.PLAIN:
-            return plain.encode(part.value)
-        case CodeName.GOLDEN:
-            return golden.encode(part.value, implied(stream.components_with_boundary))
-        case _:
-            assert_never(code)
+    return and_then(closings(stream), lambda seen: write(part.value, seen))
 
 
 def decode(
-    code: CodeName, bits: Bits, symbols: int, components_with_boundary: int
+    code: CodeName,
+    bits: Bits,
+    symbols: int,
+    components_with_boundary: int,
+    seen: tuple[Closing, ...] = (),
 ) -> Accepted[str] | Rejected:
-    """The word of `symbols` symbols. Rejects bits no encoder writes. CODE-NAME-1, CODE-NAME-2."""
+    """The word of `symbols` symbols, with the handle data as it is seen from the end.
+
+    Rejects bits no encoder writes. Clauses: CODE-NAME-1, CODE-NAME-2, CODE-IMPLIED-2.
+    """
     head = implied(components_with_boundary)
     count = symbols - len(head)
     if count < 0:
         return Rejected(Reason.EMPTY_WORD, Clause.CODE_IMPLIED_2, detail=f"{symbols} symbols")
-    match code:
-        case CodeName.PLAIN:
-            rest = plain.decode(bits, count)
-        case CodeName.GOLDEN:
-            rest = golden.decode(bits, count, head)
-        case _:
-            assert_never(code)
+    rest = CODES[code].decode(bits, count, Shape(head, seen))
     return Accepted(head + rest.value) if isinstance(rest, Accepted) else rest
 
 
 def most_symbols(code: CodeName, bits: int) -> int:
     """No word of more symbols has so few bits: what a reader may believe. Clause: CODE-NAME-3."""
-    match code:
-        case CodeName.PLAIN:
-            return bits + 1
-        case CodeName.GOLDEN:
-            return floor(bits / golden.UNIT) + 2
-        case _:
-            assert_never(code)
+    return CODES[code].most_symbols(bits)
