@@ -90,7 +90,7 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = MappingProxyType(
     {
         "contexts-and-history": _conditionings(),
         "message-of-a-size": _counted(),
-        "residuals": st.builds(
+        "residual-messages": st.builds(
             lambda model, picks: Residuals(model, walk(model, picks)), NARROW, PICKS
         ),
         "mixing": _mixings(),

@@ -53,6 +53,8 @@ class MixRequest:
 
 CONDITIONING: Final = Given("contexts-and-history", "an order, models, symbols", Conditioning)
 COUNTED: Final = Given("message-of-a-size", "1 ≤ size ≤ 6 and symbols below it", Counted)
-RESIDUALS: Final = Given("residuals", "a small model and a message that it allows", Residuals)
+RESIDUALS: Final = Given(
+    "residual-messages", "a small model and a message that it allows", Residuals
+)
 MIXING: Final = Given("mixing", "models to be mixed and a message of one of them", Mixing)
 ANY_MIX: Final = Given("any-mixing", "any models, weights, unit", MixRequest)
