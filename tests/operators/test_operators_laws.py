@@ -8,7 +8,6 @@ from clers.conventions.law import AnyLaw
 from clers.operators import laws_handles, laws_scripts
 from laws import run
 
-
 LAWS: Final[tuple[AnyLaw, ...]] = (*laws_scripts.LAWS, *laws_handles.LAWS)
 
 
