@@ -33,5 +33,6 @@ def test_cross_entropy() -> None:
     assert cross_entropy((1, 1), (1,)) == inf
     assert cross_entropy((1, 1), (1, 0)) == inf
     assert cross_entropy((1, 0), (1, 1)) == pytest.approx(1)
+    assert cross_entropy((1, 0), (3, 0)) == 0
     assert cross_entropy((1,), (1, 3)) == pytest.approx(2)
     assert redundancy((1, 1), (0, 1)) == inf

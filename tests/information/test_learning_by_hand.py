@@ -119,6 +119,14 @@ def test_a_ramp_is_continued() -> None:
     assert probability(model, (1, 2, 3, 0, 1, 1)) == Accepted(Fraction(5**5, 8**6))
 
 
+def test_residuals_are_learnt() -> None:
+    """INFO-PREDICT-1. After 2, guessed 0, residual 2 is known better; guessed from 2 it is 1."""
+    model = Predicted(Adaptive((0, 1, 2, 3), 4, 1 << 16), Previous()).after(2)
+    assert differences(model.residuals.cumulative) == (1, 1, 5)
+    assert differences(model.cumulative) == (1, 5, 1)
+    assert differences(model.after(1).cumulative) == (9, 1, 1)
+
+
 def test_right_predictions_cost_a_logarithm() -> None:
     """INFO-PREDICT-2, INFO-LEARN-4; 3(c), Prediction: n right guesses cost log2(n+1)."""
     model = Predicted(counting(()), Previous())

@@ -45,6 +45,7 @@ def test_the_flatter_of_two_best_codes() -> None:
 def test_symbols_that_do_not_occur() -> None:
     """INFO-HUFFMAN-2, INFO-PREFIX-4."""
     assert huffman((0, 3, 0, 1)) == Accepted(PrefixCode((None, "0", None, "1")))
+    assert by_merging((0, 3, 0, 1)) == (None, 1, None, 1)
     assert huffman((0, 7)) == Accepted(PrefixCode((None, "")))
     assert decode(PrefixCode((None, "")), "", 3) == Accepted((1, 1, 1))
     assert decode(PrefixCode((None, "")), "", -3) == Accepted(())
