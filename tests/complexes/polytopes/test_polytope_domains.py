@@ -15,11 +15,11 @@ from clers.conventions.result import Accepted, Rejected
 from clers.generate.domains import DOMAINS
 
 
-def tally(domain: str) -> list[object]:
+def tally(domain: str, examples: int = 80) -> list[object]:
     """What a domain's strategy draws, so often that each sort it has is drawn whatever the seed."""
     drawn: list[object] = []
 
-    @settings(max_examples=300)
+    @settings(max_examples=examples)
     @given(DOMAINS[domain])
     def draw(example: object) -> None:
         drawn.append(example)
@@ -70,7 +70,7 @@ def test_some_edges_can_be_flipped() -> None:
 
 def test_manifolds_of_every_sort() -> None:
     """Clauses: CPLX-POLYMANIFOLD-1, CPLX-POLYMANIFOLD-5."""
-    solid = [x for x in tally("manifold-polytopes") if isinstance(x, Polytope)]
+    solid = [x for x in tally("manifold-polytopes", 250) if isinstance(x, Polytope)]
     assert {(dimension(x), bool(boundary(x))) for x in solid} == {
         (n, rim) for n in (1, 2, 3) for rim in (False, True)
     }
