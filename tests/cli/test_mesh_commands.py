@@ -10,6 +10,7 @@ from typer.testing import CliRunner, Result
 
 from clers.cli.main import app
 from clers.cli.output import Exit
+from clers.codes.registry import CodeName
 
 MESHES: Final = Path(__file__).parents[2] / "corpus" / "meshes"
 SCHEMAS: Final = Path(__file__).parents[2] / "spec" / "schemas"
@@ -50,7 +51,7 @@ def test_the_published_schemas_are_those_of_the_records(name: str) -> None:
     assert json.loads(clers("schema", name).stdout) == json.loads(published)
 
 
-@pytest.mark.parametrize("code", ["plain", "golden"])
+@pytest.mark.parametrize("code", list(CodeName))
 @pytest.mark.parametrize("positions", ["exact", "q12"])
 def test_encode_decode_info(tmp_path: Path, code: str, positions: str) -> None:
     """TOOL-ENCODE-1, TOOL-ENCODE-2, TOOL-INFO-1."""
@@ -76,7 +77,7 @@ def test_a_file_without_positions_makes_no_mesh_file(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "options", [("--code", "huffman"), ("--positions", "q31"), ("--positions", "q0")]
+    "options", [("--code", "golder"), ("--positions", "q31"), ("--positions", "q0")]
 )
 def test_wrong_options_are_wrong_usage(tmp_path: Path, options: tuple[str, str]) -> None:
     """TOOL-ENCODE-2, TOOL-EXIT-1."""

@@ -171,7 +171,7 @@ UNSUPPORTED = {
         AtByte(50),
     ),
     "code": (
-        file(("HEAD", "03 01 04 04 00 03 00"), ("WORD", WORD)),
+        file(("HEAD", "ff 01 04 04 00 03 00"), ("WORD", WORD)),
         Reason.UNKNOWN_CODE,
         Clause.FILE_NUMBER_5,
         AtByte(21, "HEAD"),

@@ -35,7 +35,7 @@ def _accuracy(positions: str) -> "Accuracy":
 def encode(
     mesh: Mesh,
     out: Annotated[Path, typer.Option("--out", "-o", help="The .clers file to write.")],
-    code: Annotated[str, typer.Option(help="The code of the word: plain or golden.")] = "golden",
+    code: Annotated[str, typer.Option(help="The code of the word; --help of info says what each promises.")] = "golden",
     positions: Annotated[
         str, typer.Option(help="exact, qN (N bits an axis, 1 to 30), or none.")
     ] = "exact",

@@ -3,16 +3,19 @@
 from typing import Final
 
 from clers.arithmetic.bits import Bits, pack
-from clers.codes import golden
+from clers.codes import golden, plain
+from clers.codes.closings import closings, records
+from clers.codes.code import NOTHING
 from clers.codes.implied import implied
-from clers.codes.registry import CodeName, decode, encode, most_symbols
+from clers.codes.laws_learning import LAWS as LEARNING
+from clers.codes.registry import CODES, PARTIAL, CodeName, decode, encode, most_symbols
 from clers.complexes.given import SPHERES, SURFACES
 from clers.complexes.surface import Surface
 from clers.complexes.topology import components
 from clers.conventions.clause import Clause
 from clers.conventions.law import AnyLaw, Law, at_most, every, same
 from clers.conventions.reason import Reason
-from clers.conventions.result import Accepted, Rejected
+from clers.conventions.result import Accepted, Rejected, and_then
 from clers.conventions.verdict import Fails, Holds, Verdict
 from clers.conventions.where import WHOLE
 from clers.edgebreaker.encode import encode as encode_surface
@@ -20,7 +23,7 @@ from clers.edgebreaker.stream import Stream
 
 
 def bits_of(code: CodeName, stream: Stream) -> Bits:
-    """The bits of a surface's stream; a code that refuses one is broken."""
+    """The bits of a stream that the code takes."""
     match encode(code, stream):
         case Accepted(bits):
             return bits
@@ -28,11 +31,27 @@ def bits_of(code: CodeName, stream: Stream) -> Bits:
             raise AssertionError(rejected.line())
 
 
+def read(code: CodeName, bits: Bits, stream: Stream) -> Accepted[str] | Rejected:
+    """The word that these bits decode to, with all that a decoder is told of a stream."""
+    symbols, components = len(stream.word), stream.components_with_boundary
+    return and_then(closings(stream), lambda seen: decode(code, bits, symbols, components, seen))
+
+
+def refused(code: CodeName, stream: Stream) -> bool:
+    """Whether the code is not for such a stream, and says so."""
+    if code not in PARTIAL:
+        return False
+    found = encode(code, stream)
+    return isinstance(found, Rejected) and found.reason is Reason.NOT_REPRESENTABLE
+
+
 def comes_back(code: CodeName, surface: Surface) -> Verdict:
     """The bits of a word decode to the word, and the count of symbols is believed."""
     stream = encode_surface(surface).stream
+    if refused(code, stream):
+        return Holds()
     bits = bits_of(code, stream)
-    match decode(code, bits, len(stream.word), stream.components_with_boundary):
+    match read(code, bits, stream):
         case Accepted(word):
             return every(
                 same(stream.word, word),
@@ -45,11 +64,13 @@ def comes_back(code: CodeName, surface: Surface) -> Verdict:
 def no_other_bits(code: CodeName, surface: Surface) -> Verdict:
     """One bit more, or one bit less, is rejected."""
     stream = encode_surface(surface).stream
+    if refused(code, stream):
+        return Holds()
     bits = bits_of(code, stream)
     longer = (bits.followed_by(pack([0])), bits.followed_by(pack([1])))
     shorter = (pack(bits.values()[:-1]),) if bits.length else ()
     for other in (*longer, *shorter):
-        found = decode(code, other, len(stream.word), stream.components_with_boundary)
+        found = read(code, other, stream)
         if isinstance(found, Accepted):
             return Fails("a rejection", found.value, WHOLE)
     return Holds()
@@ -66,10 +87,31 @@ def other_beginnings_rejected(surface: Surface) -> Verdict:
     return every(same("C", stream.word[:1]), same([Reason.NOT_IN_ALPHABET] * len(results), reasons))
 
 
+def within_guarantee(code: CodeName, surface: Surface) -> Verdict:
+    """No more bits than are promised for such components."""
+    most = CODES[code].guarantee.bits(components(surface))
+    if most is None:
+        return Holds()
+    return at_most(most, bits_of(code, encode_surface(surface).stream).length, "bits")
+
+
 def plain_length(surface: Surface) -> Verdict:
     """2T − 2 bits."""
     length = bits_of(CodeName.PLAIN, encode_surface(surface).stream).length
     return same(2 * surface.faces - 2, length)
+
+
+def plain_length_by_counts(surface: Surface) -> Verdict:
+    """What the counts of the components say."""
+    length = bits_of(CodeName.PLAIN, encode_surface(surface).stream).length
+    return same(plain.length(components(surface)), length)
+
+
+def records_come_back(surface: Surface) -> Verdict:
+    """The closings of a stream and its word give the records."""
+    stream = encode_surface(surface).stream
+    found = and_then(closings(stream), lambda seen: records(stream.word, seen))
+    return same(Accepted(stream.records), found)
 
 
 def golden_units_of_word(surface: Surface) -> Verdict:
@@ -110,7 +152,10 @@ def _of_code(code: CodeName) -> tuple[AnyLaw, ...]:
     def unique(surface: Surface) -> Verdict:
         return no_other_bits(code, surface)
 
-    return (
+    def promised(surface: Surface) -> Verdict:
+        return within_guarantee(code, surface)
+
+    always: tuple[AnyLaw, ...] = (
         Law(
             f"code-round-trip-{code}",
             Clause.CODE_NAME_1,
@@ -126,16 +171,41 @@ def _of_code(code: CodeName) -> tuple[AnyLaw, ...]:
             unique,
         ),
     )
+    if CODES[code].guarantee is NOTHING:
+        return always
+    guarantee = Law(
+        f"code-guarantee-{code}",
+        Clause.CODE_NAME_4,
+        f"`{code}` takes at most the bits that it promises for such components",
+        SURFACES,
+        promised,
+    )
+    return (*always, guarantee)
 
 
 LAWS: Final[tuple[AnyLaw, ...]] = (
     *(law for code in CodeName for law in _of_code(code)),
+    *LEARNING,
     Law(
         "implied-c",
         Clause.CODE_IMPLIED_1,
         "the word of a closed surface begins with C, and no code takes another",
         SURFACES,
         other_beginnings_rejected,
+    ),
+    Law(
+        "records-come-back",
+        Clause.CODE_HAND_3,
+        "the closings of a stream and its word give the records",
+        SURFACES,
+        records_come_back,
+    ),
+    Law(
+        "plain-length-by-counts",
+        Clause.CODE_PLAIN_3,
+        "three bits a symbol, less two for each created vertex, less one for an implied C",
+        SURFACES,
+        plain_length_by_counts,
     ),
     Law("plain-length", Clause.CODE_PLAIN_3, "2T − 2 bits on a sphere", SPHERES, plain_length),
     Law(

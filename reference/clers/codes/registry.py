@@ -36,6 +36,9 @@ CODES: Final[Mapping[CodeName, Code]] = {
 }
 """What each name stands for. Clause: CODE-NAME-1."""
 
+PARTIAL: Final[frozenset[CodeName]] = frozenset()
+"""Codes that refuse some surfaces, as `not-representable`. Clause: CODE-NAME-5."""
+
 
 def encode(code: CodeName, stream: Stream) -> Accepted[Bits] | Rejected:
     """The bits of a stream's word; not its handle data. Clauses: CODE-NAME-1, CODE-NAME-2."""

@@ -13,7 +13,14 @@ from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtByte
 
-CODES: Final = (CodeName.PLAIN, CodeName.GOLDEN)
+CODES: Final = (
+    CodeName.PLAIN,
+    CodeName.GOLDEN,
+    CodeName.HUFFMAN,
+    CodeName.ADAPTIVE_1,
+    CodeName.ADAPTIVE_3,
+    CodeName.ADAPTIVE_6,
+)
 """The codes of the word, numbered from 1. Clause: FILE-HEAD-2."""
 
 
