@@ -73,23 +73,23 @@ def foreign_half_edges(draw: st.DrawFn) -> HalfEdges:
 
 @st.composite
 def _changed(draw: st.DrawFn, array: tuple[int, ...]) -> tuple[int, ...]:
-    i, j = (draw(CHOICES) % (len(array) + 1) for _ in range(2))
-    value = draw(st.integers(-2, len(array) + 1))
-    match draw(st.integers(0, 4)):
-        case 0:
-            return array[:i] + array[i + 1 :]
-        case 1:
-            return (*array, value)
-        case 2:
-            return (*array[:i], value, *array[i + 1 :])
-        case 3:
-            return array[1:] + array[:1]
-        case _:
-            if max(i, j) == len(array):
-                return array
-            changed = list(array)
+    """Most often with the length and the numbers it had: other faults than the plainest."""
+    if not array:
+        return (draw(st.integers(-2, 1)),)
+    i, j = (draw(st.integers(0, len(array) - 1)) for _ in range(2))
+    changed = list(array)
+    match draw(st.sampled_from(("exchange", "copy", "exchange", "copy", "turn", "set", "length"))):
+        case "exchange":
             changed[i], changed[j] = changed[j], changed[i]
-            return tuple(changed)
+        case "copy":
+            changed[i] = changed[j]
+        case "turn":
+            changed = changed[1:] + changed[:1]
+        case "set":
+            changed[i] = draw(st.integers(-2, len(array) + 1))
+        case _:
+            changed = draw(st.sampled_from((changed[:-1], [*changed, i])))
+    return tuple(changed)
 
 
 @st.composite

@@ -51,7 +51,7 @@ def test_polygon_lists_are_good_and_bad() -> None:
 
 def test_half_edges_are_good_and_bad() -> None:
     """Clauses: CPLX-HALFEDGE-2 … CPLX-HALFEDGE-8."""
-    drawn = tally("foreign-half-edges")
+    drawn = tally("foreign-half-edges", 250)
     found = Counter(said(half_edges(x)) for x in drawn if isinstance(x, HalfEdges))
     clauses = {key.split()[0] for key in found}
     assert clauses >= {"accepted", *(f"CPLX-HALFEDGE-{k}" for k in range(2, 5))}
