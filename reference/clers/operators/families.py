@@ -4,7 +4,6 @@ There are three: operators on *sheets* (Euler and handle operators), operators o
 and attachments, mixed as one likes), and total operators that *grow* surfaces.
 """
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Final, assert_never
@@ -25,6 +24,7 @@ from clers.operators import script_text as total_text
 from clers.operators.attachments import apply as attaching
 from clers.operators.attachments import operator as attachments
 from clers.operators.attachments import text as attachments_text
+from clers.operators.lines import read_each
 from clers.operators.moves import apply as moving
 from clers.operators.moves import text as moves_text
 from clers.operators.moves.move import Move
@@ -96,19 +96,13 @@ def read(text: str) -> Accepted[AnyScript] | Rejected:
 
 
 def _on_complexes(text: str) -> Accepted[AnyScript] | Rejected:
-    script: list[ComplexOperator] = []
-    for piece in re.split(r"[;\r\n]", text):
-        name = piece.split(maxsplit=1)[:1]
-        if not name:
-            continue
-        moves = moves_text.read(piece)
-        found: Accepted[tuple[ComplexOperator, ...]] | Rejected = (
-            moves if name[0] in moves_text.NAMES else attachments_text.read(piece)
-        )
-        if isinstance(found, Rejected):
-            return replace(found, where=AtStep(len(script)))
-        script += found.value
-    return Accepted(OnComplexes(tuple(script)))
+    return and_then(read_each(text, _on_complex), lambda script: Accepted(OnComplexes(script)))
+
+
+def _on_complex(piece: str, where: AtStep) -> Accepted[ComplexOperator] | Rejected:
+    if piece.split()[0] in moves_text.NAMES:
+        return moves_text.read_one(piece, where)
+    return attachments_text.read_one(piece, where)
 
 
 def stages(

@@ -11,6 +11,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtStep
+from clers.operators.lines import read_each
 from clers.operators.script import (
     AddEar,
     AddHandle,
@@ -52,7 +53,6 @@ WITH_TWO: Final[Mapping[str, Callable[[int, int], Operator]]] = {
 WITH_NONE: Final[Mapping[str, Callable[[], Operator]]] = {"add-tetrahedron": AddTetrahedron}
 
 _NUMBER: Final = re.compile(r"0|-?[1-9][0-9]{0,999}", re.ASCII)
-_END: Final = re.compile(r"[;\r\n]")
 
 
 def write(script: Script) -> str:
@@ -64,19 +64,11 @@ def write(script: Script) -> str:
 
 def read(text: str) -> Accepted[Script] | Rejected:
     """The script that a text says. Clause: OPER-SCRIPT-6."""
-    script: list[Operator] = []
-    for piece in _END.split(text):
-        words = piece.split()
-        if not words:
-            continue
-        operator = _operator(words[0], words[1:], AtStep(len(script)))
-        if isinstance(operator, Rejected):
-            return operator
-        script.append(operator)
-    return Accepted(tuple(script))
+    return read_each(text, _operator)
 
 
-def _operator(name: str, numbers: list[str], where: AtStep) -> Operator | Rejected:
+def _operator(piece: str, where: AtStep) -> Accepted[Operator] | Rejected:
+    name, *numbers = piece.split()
     if name not in WITH_NONE and name not in WITH_ONE and name not in WITH_TWO:
         return Rejected(Reason.UNKNOWN_OPERATOR, Clause.OPER_SCRIPT_6, where, name)
     bad = [number for number in numbers if not _NUMBER.fullmatch(number)]
@@ -85,11 +77,11 @@ def _operator(name: str, numbers: list[str], where: AtStep) -> Operator | Reject
         return Rejected(Reason.BAD_OPERAND, Clause.OPER_SCRIPT_6, where, detail)
     match [int(number) for number in numbers]:
         case [] if name in WITH_NONE:
-            return WITH_NONE[name]()
+            return Accepted(WITH_NONE[name]())
         case [choice] if name in WITH_ONE:
-            return WITH_ONE[name](choice)
+            return Accepted(WITH_ONE[name](choice))
         case [first, second] if name in WITH_TWO:
-            return WITH_TWO[name](first, second)
+            return Accepted(WITH_TWO[name](first, second))
         case others:
             detail = f"{name} with {len(others)} numbers"
             return Rejected(Reason.BAD_OPERAND, Clause.OPER_SCRIPT_6, where, detail)

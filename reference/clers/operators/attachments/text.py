@@ -23,6 +23,7 @@ from clers.operators.attachments.operator import (
     Script,
     Undo,
 )
+from clers.operators.lines import read_each
 
 GLUES: Final[Mapping[str, Callable[[Attachment], Constructive]]] = {
     "attach": Attach,
@@ -38,7 +39,6 @@ NAMES: Final = frozenset({*GLUES, *EDGES, "handle", "first-vertex"})
 """The names of the operators that build; `undo` before one is its inverse. OPER-ATTACH-8."""
 
 _NUMBER: Final = re.compile(r"0|-?[1-9][0-9]{0,999}", re.ASCII)
-_END: Final = re.compile(r"[;\r\n]")
 
 
 def write(script: Script) -> str:
@@ -77,19 +77,18 @@ def _glued(glued: Attachment) -> str:
 
 def read(text: str) -> Accepted[Script] | Rejected:
     """The script that a text says. Clause: OPER-ATTACH-8."""
-    script: list[Operator] = []
-    for piece in _END.split(text):
-        words = piece.split()
-        if not words:
-            continue
-        undo = words[0] == "undo"
-        name, *operands = words[undo:] or [""]
-        operator = _operator(name, operands)
-        if isinstance(operator, Reason):
-            where, detail = AtStep(len(script)), piece.strip()[:40]
-            return Rejected(operator, Clause.OPER_ATTACH_8, where, detail)
-        script.append(Undo(operator) if undo else operator)
-    return Accepted(tuple(script))
+    return read_each(text, read_one)
+
+
+def read_one(piece: str, where: AtStep) -> Accepted[Operator] | Rejected:
+    """The operator that a piece says, or the step at fault. Clause: OPER-ATTACH-8."""
+    words = piece.split()
+    undo = words[0] == "undo"
+    name, *operands = words[undo:] or [""]
+    operator = _operator(name, operands)
+    if isinstance(operator, Reason):
+        return Rejected(operator, Clause.OPER_ATTACH_8, where, piece[:40])
+    return Accepted(Undo(operator) if undo else operator)
 
 
 def _operator(name: str, operands: list[str]) -> Constructive | Reason:

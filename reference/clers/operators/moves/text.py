@@ -10,6 +10,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtStep
+from clers.operators.lines import read_each
 from clers.operators.moves.move import (
     Bistellar,
     Collapse,
@@ -25,7 +26,6 @@ from clers.operators.moves.move import (
 NAMES: Final = ("collapse", "expand", "subdivide", "weld", "bistellar", "contract", "split")
 
 _NUMBER: Final = re.compile(r"0|[1-9][0-9]{0,999}", re.ASCII)
-_END: Final = re.compile(r"[;\r\n]")
 
 Field = tuple[Vertices, ...]
 """An operand: simplices, most often one."""
@@ -44,24 +44,16 @@ def write_one(move: Move) -> str:
 
 def read(text: str) -> Accepted[tuple[Move, ...]] | Rejected:
     """The moves that a text says. Clause: OPER-MOVE-8."""
-    moves: list[Move] = []
-    for piece in _END.split(text):
-        words = piece.split(maxsplit=1)
-        if not words:
-            continue
-        move = read_one(words[0], " ".join(words[1:]), AtStep(len(moves)))
-        if isinstance(move, Rejected):
-            return move
-        moves.append(move)
-    return Accepted(tuple(moves))
+    return read_each(text, read_one)
 
 
-def read_one(name: str, operands: str, where: AtStep) -> Move | Rejected:
-    """The move with this name and these operands, or the step at fault. Clause: OPER-MOVE-8."""
+def read_one(piece: str, where: AtStep) -> Accepted[Move] | Rejected:
+    """The move that a piece says, or the step at fault. Clause: OPER-MOVE-8."""
+    name, *rest = piece.split(maxsplit=1)
     if name not in NAMES:
         return Rejected(Reason.UNKNOWN_OPERATOR, Clause.OPER_MOVE_8, where, name)
     fields: list[Field] = []
-    for part in operands.split("/"):
+    for part in "".join(rest).split("/"):
         simplices = [simplex.split() for simplex in part.split(",")] if part.strip() else []
         numbers = [number for simplex in simplices for number in simplex]
         bad = next((number for number in numbers if not _NUMBER.fullmatch(number)), None)
@@ -73,7 +65,7 @@ def read_one(name: str, operands: str, where: AtStep) -> Move | Rejected:
     if move is None:
         detail = f"{name} with other operands than it has"
         return Rejected(Reason.BAD_OPERAND, Clause.OPER_MOVE_8, where, detail)
-    return move
+    return Accepted(move)
 
 
 def _move(name: str, fields: list[Field]) -> Move | None:

@@ -12,6 +12,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtStep
+from clers.operators.lines import read_each
 from clers.operators.sheets.operator import (
     Complete,
     Constructive,
@@ -76,7 +77,6 @@ NAME: Final[Mapping[type[Constructive], str]] = {
 }
 
 _NUMBER: Final = re.compile(r"0|[1-9][0-9]{0,999}", re.ASCII)
-_END: Final = re.compile(r"[;\r\n]")
 
 
 def write(script: Script) -> str:
@@ -112,19 +112,11 @@ def operands(operator: Operator) -> tuple[int, ...]:
 
 def read(text: str) -> Accepted[Script] | Rejected:
     """The script that a text says. Clause: OPER-BUILD-5."""
-    script: list[Operator] = []
-    for piece in _END.split(text):
-        words = piece.split()
-        if not words:
-            continue
-        operator = _operator(words[0], words[1:], AtStep(len(script)))
-        if isinstance(operator, Rejected):
-            return operator
-        script.append(operator)
-    return Accepted(tuple(script))
+    return read_each(text, _operator)
 
 
-def _operator(name: str, numbers: list[str], where: AtStep) -> Operator | Rejected:
+def _operator(piece: str, where: AtStep) -> Accepted[Operator] | Rejected:
+    name, *numbers = piece.split()
     clause = Clause.OPER_BUILD_5
     if UNDONE.get(name, name) not in NAME.values():
         return Rejected(Reason.UNKNOWN_OPERATOR, clause, where, name)
@@ -135,7 +127,7 @@ def _operator(name: str, numbers: list[str], where: AtStep) -> Operator | Reject
     if operator is None:
         detail = f"{name} with {len(numbers)} vertices"
         return Rejected(Reason.BAD_OPERAND, clause, where, detail)
-    return operator
+    return Accepted(operator)
 
 
 def named(name: str, vertices: Sequence[int]) -> Operator | None:
