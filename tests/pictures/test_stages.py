@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 from math import dist, hypot
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -204,3 +205,15 @@ def test_too_many_triangles() -> None:
     assert isinstance(fault, Rejected)
     assert (fault.reason, fault.where) == (Reason.NOT_DRAWABLE, AtStep(2))
     assert isinstance(drawable(done[:-1]), Accepted)
+
+
+@pytest.mark.parametrize("figure", [11, 12])
+def test_the_figures_of_the_page(figure: int) -> None:
+    """The committed pictures have a panel for each line of their scripts, and the last one's words."""
+    folder = Path(__file__).parents[2] / "spec" / "pictures"
+    script = (folder / f"figure-{figure}.script").read_text()
+    drawn = (folder / f"figure-{figure}.svg").read_text()
+    lines = script.splitlines()
+    assert [drawn.count(f'id="stage-{k}"') for k in range(len(lines) + 1)] == [1] * len(lines) + [0]
+    assert all(line in drawn for line in lines)
+    assert len(image(script).groups) == len(lines)
