@@ -209,7 +209,7 @@ def test_too_many_triangles() -> None:
 
 @pytest.mark.parametrize("figure", [11, 12])
 def test_the_figures_of_the_page(figure: int) -> None:
-    """The committed pictures have a panel for each line of their scripts, and the last one's words."""
+    """The committed pictures have a panel for each line of their scripts, with its words."""
     folder = Path(__file__).parents[2] / "spec" / "pictures"
     script = (folder / f"figure-{figure}.script").read_text()
     drawn = (folder / f"figure-{figure}.svg").read_text()
