@@ -10,6 +10,7 @@ import typer
 
 from clers import SPEC_VERSION, __version__
 from clers.cli import (
+    adapter,
     bench,
     complexes,
     corpus,
@@ -42,6 +43,7 @@ app.command()(walks.word)
 app.command()(walks.trace)
 app.command()(schema.schema)
 app.command(name="complex")(complexes.complex_of)
+app.add_typer(adapter.app, name="adapter")
 app.add_typer(bench.app, name="bench")
 app.add_typer(corpus.app, name="corpus")
 app.add_typer(laws.app, name="laws")

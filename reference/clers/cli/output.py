@@ -4,26 +4,12 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import IntEnum
-from typing import NoReturn, assert_never
+from typing import NoReturn
 
 import typer
 
 from clers.conventions.result import Rejected
-from clers.conventions.where import (
-    AtByte,
-    AtCell,
-    AtEdge,
-    AtEntry,
-    AtFace,
-    AtPair,
-    AtRecord,
-    AtSimplex,
-    AtStep,
-    AtSymbol,
-    AtVertex,
-    Where,
-    Whole,
-)
+from clers.conventions.where_record import where_record as where_record
 
 
 class Exit(IntEnum):
@@ -68,37 +54,6 @@ def table(heads: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
     widths = [max(len(row[column]) for row in cells) for column in range(len(heads))]
     for row in cells:
         line("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
-
-
-def where_record(where: Where) -> dict[str, int | str | list[int]]:
-    """The element as JSON has it: a key for each number or list of vertices. CONV-RESULT-2."""
-    match where:
-        case Whole():
-            return {}
-        case AtFace(face):
-            return {"face": face}
-        case AtVertex(vertex):
-            return {"vertex": vertex}
-        case AtEdge(tail, head, face):
-            return {"tail": tail, "head": head, "face": face}
-        case AtSymbol(index):
-            return {"symbol": index}
-        case AtRecord(index):
-            return {"record": index}
-        case AtStep(index):
-            return {"step": index}
-        case AtByte(offset, section):
-            return {"byte": offset, "section": section}
-        case AtSimplex(vertices):
-            return {"simplex": list(vertices)}
-        case AtPair(first, second):
-            return {"simplex": list(first), "other": list(second)}
-        case AtCell(dimension, number):
-            return {"cell": number, "dimension": dimension}
-        case AtEntry(array, index):
-            return {"array": array, "entry": index}
-        case _:
-            assert_never(where)
 
 
 def reject(source: str, rejected: Rejected, *, as_json: bool = False) -> NoReturn:

@@ -8,13 +8,14 @@ from clers.cli.output import json
 
 
 def schemas() -> dict[str, object]:
-    """A schema for each published record, by name. Clause: TOOL-SCHEMA-1."""
+    """A schema for each published record, by name. Clauses: TOOL-SCHEMA-1, ORCL-LINE-3."""
     import msgspec
 
     from clers.cli.views import InfoView, WordView
+    from clers.conformance.schema import protocol_schema
 
     published = {"info": InfoView, "word": WordView}
-    return {
+    records: dict[str, object] = {
         name: {
             "$schema": "https://json-schema.org/draft/2020-12/schema",
             "title": f"clers {name} --json",
@@ -22,10 +23,11 @@ def schemas() -> dict[str, object]:
         }
         for name, view in published.items()
     }
+    return {**records, "protocol": protocol_schema()}
 
 
-def schema(name: Annotated[str, typer.Argument(help="info or word.")]) -> None:
-    """Print the JSON Schema of what a command prints with --json."""
+def schema(name: Annotated[str, typer.Argument(help="info, word or protocol.")]) -> None:
+    """Print the JSON Schema of what a command prints with --json, or of the adapters' protocol."""
     known = schemas()
     if name not in known:
         raise typer.BadParameter(f"{name!r} is none of {', '.join(known)}")
