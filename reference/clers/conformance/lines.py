@@ -75,8 +75,11 @@ def reply_in(line: bytes) -> Reply | NoMessage:
 
 
 def result_in(operation: str, ok: msgspec.Raw) -> Result | NoMessage:
-    """The result of an operation, of the form it must have. Clauses: ORCL-LINE-3, ORCL-REPLY-1."""
-    kind = None if operation == "hello" else RESULTS[operation][1]
+    """The result of an operation, of the form it must have; of one that is not known, any.
+
+    Clauses: ORCL-LINE-3, ORCL-REPLY-1.
+    """
+    kind = RESULTS[operation][1] if operation in RESULTS else None
     try:
         if operation == "hello":
             return msgspec.json.decode(ok, type=Introduction)

@@ -125,6 +125,19 @@ class Session:
             case _:
                 return Flaky(first, second)
 
+    def meet(self, request: Asked) -> Second:
+        """Ask a new process something before any hello, and end it. Clause: ORCL-HELLO-3."""
+        self.end()
+        self.starts += 1
+        try:
+            process = Process(self._command, self._bounds)
+        except OSError as fault:
+            return NoProcess(f"it cannot be started: {fault}")
+        self._process = process
+        said = self._converse(process, request, self._bounds.start)
+        self.end()
+        return said
+
     def stray(self) -> bytes:
         """What came on standard output though no request is open. Clause: ORCL-RUN-4."""
         return b"" if self._process is None else self._process.waiting()
