@@ -7,6 +7,7 @@ from typing import Final
 
 from clers import SPEC_VERSION
 from clers.conformance.bounds import DEFAULT_BOUNDS, Bounds
+from clers.conformance.in_words import in_words
 from clers.conformance.lines import line_of
 from clers.conformance.messages import Echo, Hello, Introduction
 from clers.conformance.outcome import Answered, Declined, NoProcess, Outcome, Unsupported
@@ -74,7 +75,7 @@ def _echoes(patient: Patient, number: int, given: dict[str, object]) -> Judged:
     outcome = patient.session.ask(asked(number, Echo(id=0, input=given)))
     if isinstance(outcome, Answered) and outcome.result == given:
         return Good("came back as it went")
-    return Bad(_short(f"it came back as {outcome}"))
+    return Bad(in_words(outcome))
 
 
 def _echo(patient: Patient) -> Judged:
@@ -107,7 +108,7 @@ def _one_reply(patient: Patient) -> Judged:
     while isinstance(judged, Good) and monotonic() < deadline:
         more = patient.session.stray()
         if more:
-            return Bad(_short(f"after the reply came {more.decode(errors='replace')!r}"))
+            return Bad(f"after the reply came {more[:100].decode(errors='replace')!r}")
         sleep(QUIET / 10)
     return judged if isinstance(judged, Bad) else Good("nothing came after the reply")
 
@@ -121,7 +122,7 @@ def _unknown(patient: Patient) -> Judged:
 def _unsupported(outcome: Outcome, cap: str) -> Judged:
     if outcome == Unsupported(cap):
         return Good(f"unsupported: {cap}")
-    return Bad(_short(f"{cap}: not unsupported, but {outcome}"))
+    return Bad(f"{cap}: not unsupported, but {in_words(outcome)}")
 
 
 def _undeclared(patient: Patient) -> Judged:
@@ -141,7 +142,7 @@ def _declared(patient: Patient) -> Judged:
         if isinstance(outcome, Unsupported):
             lacking.append(f"{name} without {outcome.cap}")
         elif not isinstance(outcome, Answered):
-            return Bad(_short(f"{name}: {outcome}"))
+            return Bad(f"{name}: {in_words(outcome)}")
     done = f"{len(names) - len(lacking)} of {len(names)} answered"
     return Good("; ".join([done, *lacking]))
 
@@ -152,7 +153,7 @@ def _garbage(patient: Patient) -> Judged:
     for number, (name, operation) in enumerate(given, 50):
         outcome = patient.session.ask(asked(number, operation))
         if not isinstance(outcome, Declined | Unsupported):
-            return Bad(_short(f"{name}: not rejected, but {outcome}"))
+            return Bad(f"{name}: not rejected, but {in_words(outcome)}")
     return Good(f"{len(given)} inputs rejected")
 
 
@@ -164,7 +165,7 @@ def _same_process(patient: Patient) -> Judged:
 def _hello_again(patient: Patient) -> Judged:
     patient.session.end()
     again = patient.session.introduction()
-    return Good("the same") if again == patient.said else Bad(_short(str(again)))
+    return Bad(again.why) if isinstance(again, NoProcess) else Good("the same")
 
 
 def _other_protocol(patient: Patient) -> Judged:
@@ -234,7 +235,3 @@ def examine(
                 judged = check(patient)
             found[name] = Finding(name, isinstance(judged, Good), judged.found)
         return tuple(found.values())
-
-
-def _short(text: str) -> str:
-    return text if len(text) <= 300 else f"{text[:299]}…"

@@ -14,6 +14,7 @@ import msgspec
 
 from clers import SPEC_VERSION
 from clers.conformance.bounds import DEFAULT_BOUNDS, Bounds
+from clers.conformance.in_words import in_words
 from clers.conformance.lines import NoMessage, line_of, reply_in, result_in
 from clers.conformance.messages import (
     PROTOCOL,
@@ -143,11 +144,15 @@ class Session:
         return b"" if self._process is None else self._process.waiting()
 
     def leave(self, *, say: bytes = BYE) -> tuple[int | None, bool]:
-        """Say bye (or nothing): the exit code, if it ended; and whether it left others behind."""
+        """Say bye (or nothing): the exit code, or None; and whether it ended and left others.
+
+        Clause: ORCL-BYE-1.
+        """
         if self._process is None:
             return None, False
         self._process.send(say)
-        code, others = self._process.leave(), self._process.others()
+        code = self._process.leave()
+        others = code is not None and self._process.others()
         self.end()
         return code, others
 
@@ -180,13 +185,13 @@ class Session:
     def _greeted(self, said: Given | Broken) -> str | None:
         """What is wrong with an answer to hello, if anything is. ORCL-HELLO-2, ORCL-HELLO-4."""
         if not isinstance(said, Answered) or not isinstance(said.result, Introduction):
-            return f"no answer to hello: {said}"
+            return f"no answer to hello: {in_words(said)}"
         if said.result.protocol != PROTOCOL:
             return f"it speaks protocol {said.result.protocol}, not {PROTOCOL}"
         if "echo" not in said.result.ops:
             return "it does not declare echo"
         if self._introduction not in (None, said.result):
-            return f"it said hello otherwise than before: {said.result}"
+            return f"it said hello otherwise than before: {in_words(said)}"
         self._introduction = said.result
         return None
 
