@@ -22,6 +22,7 @@ from clers.generate import (
     polytopes,
     prefix_codes,
     relabelled,
+    requests,
     scripts,
     sheets,
     solids,
@@ -53,6 +54,7 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **moves.DOMAINS,
     **sheets.DOMAINS,
     **attachments.DOMAINS,
+    **requests.DOMAINS,
 }
 
 
