@@ -2,6 +2,7 @@
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -15,7 +16,7 @@ from clers.conformance.bounds import Bounds
 from clers.conformance.doctor import CHECKS, NEED_ECHO, Finding, examine
 from clers.conformance.outcome import NoProcess
 
-BOUNDS: Final = Bounds(start=20.0, request=5.0, farewell=2.0, memory=400 << 20, output=3_000_000)
+BOUNDS: Final = Bounds(start=20.0, request=15.0, farewell=10.0, memory=400 << 20, output=3_000_000)
 HASTY: Final = Bounds(start=20.0, request=0.5, farewell=0.5)
 NOT_ASKED: Final = {name for name, _ in NEED_ECHO}
 ECHO: Final = {"echo", *NOT_ASKED}
@@ -42,7 +43,7 @@ FORESEEN: Final[dict[str, tuple[Bounds, set[str]]]] = {
         {"unknown-operation", "undeclared-operations", "declared-operations"},
     ),
     "starts_slowly": (BOUNDS, set()),
-    "stays_after_bye": (HASTY, ENDS),
+    "stays_after_bye": (replace(BOUNDS, farewell=0.5), ENDS),
     "talks_back": (BOUNDS, {"unknown-operation", "undeclared-operations"}),
 }
 NOBODY: Final = {"exits_at_hello", "prints_a_banner", "speaks_another_version"}
@@ -87,7 +88,7 @@ def test_nobody_there(name: str) -> None:
 
 def test_late_answers_and_second_ones(tmp_path: Path) -> None:
     """Clauses: ORCL-DOCTOR-1, ORCL-RUN-3, ORCL-RUN-4, ORCL-RUN-5."""
-    late = failed(bad("answers_late", "1.5"), Bounds(start=20.0, request=0.75, farewell=5.0))
+    late = failed(bad("answers_late", "2.5"), Bounds(start=20.0, request=1.5, farewell=5.0))
     assert set(late) == {"unicode", "same-process"}
     assert "one-reply" in failed(bad("answers_again_later"), BOUNDS)
     once = failed(bad("crashes_once", str(tmp_path / "done")), BOUNDS)

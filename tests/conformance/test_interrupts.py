@@ -32,6 +32,26 @@ def test_an_interrupt_ends_every_child() -> None:
     assert is_gone(adapter)
 
 
+def test_an_interrupted_doctor(tmp_path: Path) -> None:
+    """Clauses: ORCL-RUN-9, TOOL-EXIT-2: one line, code 130, and nobody left."""
+    number = tmp_path / "pid"
+    hangs = " ".join(bad("hangs"))
+    shell = f"sh -c 'echo $$ > {number}; exec {hangs}'"
+    main = "from clers.cli.main import main; main()"
+    command = (sys.executable, "-c", main, "adapter", "doctor", "-a", shell, "--seconds", "60")
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as oracle:
+        deadline = time.monotonic() + 60
+        while not (number.exists() and number.read_text().endswith("\n")):
+            assert time.monotonic() < deadline
+            time.sleep(0.02)
+        adapter = int(number.read_text())
+        time.sleep(0.3)
+        oracle.send_signal(signal.SIGINT)
+        out, errors = oracle.communicate(timeout=30)
+    assert (oracle.returncode, out, errors) == (130, b"", b"clers: interrupted\n")
+    assert is_gone(adapter)
+
+
 def test_the_launcher_is_quick_and_alone() -> None:
     """ORCL-RUN-7: it imports nothing of the package."""
     from clers.conformance import launcher

@@ -152,3 +152,17 @@ def test_bytes(text: str, good: bool) -> None:
     request = {"op": "mesh.decode", "id": 1, "in": {"hex": text}}
     assert holds(part("mesh.decode", "request"), request) is good
     assert isinstance(request_in(json.dumps(request).encode()), NoMessage) is not good
+
+
+def test_the_example_of_the_page() -> None:
+    """Clauses: ORCL-LINE-3, ORCL-REPLY-1: its messages are messages, and the reference's answer."""
+    page = (FILE.parents[1] / "09-conformance.md").read_text()
+    block = page.partition("```\n>")[2].partition("```")[0]
+    lines = f">{block}".replace("\n     ", "").splitlines()
+    assert [line[0] for line in lines] == list("><><<>")
+    for line in lines:
+        message = line[2:].encode()
+        read = request_in(message) if line[0] == ">" else reply_in(message)
+        assert not isinstance(read, NoMessage), read
+    *_, last = said(lines[2][2:].encode())
+    assert line_of(last).decode().rstrip() == lines[4][2:]

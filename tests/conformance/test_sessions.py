@@ -9,7 +9,7 @@ from typing import Final
 
 import msgspec
 import pytest
-from bad_commands import bad, is_gone, runs
+from bad_commands import FOLDER, bad, is_gone, runs
 
 from clers.conformance.bounds import DEFAULT_BOUNDS, Bounds
 from clers.conformance.messages import Apply, Caps, Echo, Introduction, WordDecode
@@ -156,9 +156,9 @@ def test_as_much_as_allowed_is_no_flood() -> None:
 
 def test_a_late_answer_is_never_the_next() -> None:
     """ORCL-RUN-3: the answer to 2 comes when 3 is open; the answer to 3 is 3's own."""
-    with Session(bad("answers_late", "0.8"), HASTY) as session:
+    with Session(bad("answers_late", "1.6"), replace(HASTY, request=1.0)) as session:
         found = [session.ask(echo(number, str(number))) for number in (1, 2)]
-        time.sleep(0.6)
+        time.sleep(0.9)
         found.append(session.ask(echo(3, "3")))
         assert session.starts == 2
     assert found[0] == echoed("1")
@@ -288,7 +288,7 @@ def scripted(*lines: str) -> tuple[str, ...]:
         "for r in requests(): say(reply(r)) if r['op'] == 'hello' else print(sys.argv[2])"
         " or sys.stdout.flush()"
     )
-    return sys.executable, "-c", body, str(Path(bad("good")[1]).parent), "\n".join(lines)
+    return sys.executable, "-c", body, str(FOLDER), "\n".join(lines)
 
 
 @pytest.mark.parametrize(
@@ -331,3 +331,23 @@ def test_events() -> None:
         assert session.ask(asked(1, WORD)) == ProtocolError(
             "an event that was not asked for", "see trace", event
         )
+
+
+def test_hello_must_declare_echo() -> None:
+    """ORCL-HELLO-2."""
+    body = (
+        "import sys; sys.path.insert(0, sys.argv[1]); from good import HELLO, reply, say, serve\n"
+        "HELLO['ops'] = ['word.decode']; serve(lambda _, request: say(reply(request)))"
+    )
+    found = outcomes((sys.executable, "-c", body, str(FOLDER)), CALM, 1)
+    assert found == [NoProcess("it does not declare echo")]
+
+
+def test_meeting_a_stranger() -> None:
+    """Clauses: ORCL-HELLO-3, ORCL-RUN-3: a process that is asked something else than hello."""
+    request = echo(5)
+    with Session(bad("good"), CALM) as session:
+        assert session.meet(request) == echoed()
+        assert session.pid is None
+        assert session.ask(echo(1)) == echoed()
+        assert session.starts == 2
