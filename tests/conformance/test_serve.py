@@ -11,8 +11,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from clers.arithmetic.bits import Bits
 from clers.arithmetic.range_coder import RANGE_CODER
 from clers.arithmetic.rans import RANS
+from clers.codes.closings import Closing
 from clers.codes.registry import CodeName
 from clers.conformance import payloads as form
 from clers.conformance.adapter import answered, loop
@@ -22,6 +24,7 @@ from clers.conformance.results import RESULTS
 from clers.conformance.samples import GARBAGE, SAMPLES
 from clers.conformance.serve import INTRODUCTION, MAX_SYMBOLS, serve
 from clers.conventions.result import Accepted
+from clers.edgebreaker.stream import Kind, Side
 from clers.information.static import static
 
 FACES: Final = [[0, 1, 2], [3, 2, 1], [0, 3, 1], [2, 3, 0]]
@@ -54,6 +57,7 @@ def test_hello() -> None:
     document = json.loads(line_of(reply))
     assert document["ok"]["name"] == "clers"
     assert document["ok"]["ops"] == list(RESULTS)
+    assert document["ok"]["caps"]["max_symbols"] == 1048576
     assert set(document["ok"]["caps"]["trace"]) == {"word.encode", "word.decode"}
     assert document["ok"] == json.loads(msgspec.json.encode(INTRODUCTION))
     assert [json.loads(line_of(r)) for r in serve(Hello(0, 2, "1.0", ""))] == [
@@ -267,14 +271,23 @@ def test_files_without_positions() -> None:
     assert reason_of(reply) == "not-representable"
 
 
-def test_closings_are_read() -> None:
-    """ORCL-OP-6: a record seen from the end takes the forms of chapter 6."""
-    closing = form.ClosingForm(passed=0, kind="handle", side="left", between=0)
+def test_closings_are_handed_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """ORCL-OP-6: a record seen from the end becomes one of chapter 6."""
+    given_: list[object] = []
+
+    def decode(*arguments: object) -> Accepted[str]:
+        given_.extend(arguments)
+        return Accepted("CRE")
+
+    monkeypatch.setattr("clers.codes.registry.decode", decode)
+    closing = form.ClosingForm(passed=1, kind="handle", side="left", between=2)
     asked = SAMPLES["code.decode"]
     assert isinstance(asked, CodeDecode)
-    with_one = msgspec.structs.replace(asked.input, closings=(closing,))
+    with_one = msgspec.structs.replace(asked.input, components_with_boundary=4, closings=(closing,))
     (reply,) = serve(msgspec.structs.replace(asked, input=with_one))
     assert b'"CRE"' in line_of(reply)
+    bits = Bits(bytes([0xBC]), 6)
+    assert given_ == [CodeName.PLAIN, bits, 3, 4, (Closing(1, Kind.HANDLE, Side.LEFT, 2),)]
 
 
 @pytest.mark.parametrize("name", GARBAGE)

@@ -1,6 +1,6 @@
 """The loop around `serve`: lines in, lines out, until bye. Clauses: ORCL-LINE-1, ORCL-LINE-2."""
 
-from typing import BinaryIO, Final
+from typing import BinaryIO
 
 import msgspec
 
@@ -17,9 +17,6 @@ from clers.conformance.messages import (
 )
 from clers.conformance.results import RESULTS
 from clers.conformance.serve import serve
-
-LONGEST: Final = 1 << 28
-"""Bytes of a line; a longer one is no request."""
 
 
 def answered(line: bytes) -> tuple[Reply, ...] | Bye:
@@ -40,7 +37,7 @@ def _guarded(request: Request) -> tuple[Reply, ...]:
         return serve(request)
     except Exception as fault:
         number = None if isinstance(request, Bye) else request.id
-        return (ErrorReply(number, Failure(f"{type(fault).__name__}: {fault}"[:1000])),)
+        return (ErrorReply(number, Failure(f"{type(fault).__name__}: {fault}")),)
 
 
 def _no_request(line: bytes, why: str) -> Reply:
@@ -70,7 +67,7 @@ def _number_in(raw: msgspec.Raw | None) -> int | None:
 
 def loop(requests: BinaryIO, replies: BinaryIO) -> None:
     """Answer line by line, until bye or the end. Clauses: ORCL-LINE-1, ORCL-LINE-2, ORCL-BYE-1."""
-    while line := requests.readline(LONGEST):
+    while line := requests.readline():
         found = answered(line)
         if isinstance(found, Bye):
             return

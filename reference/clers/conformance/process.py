@@ -19,7 +19,7 @@ CHUNK: Final = 1 << 16
 TICK: Final = 0.05
 """Seconds between two looks at whether the process still runs."""
 
-PATIENCE: Final = 1.0
+PATIENCE: Final = 0.5
 """Seconds that a process has to end after it closed its output, and its children after it."""
 
 
