@@ -351,3 +351,26 @@ def test_meeting_a_stranger() -> None:
         assert session.pid is None
         assert session.ask(echo(1)) == echoed()
         assert session.starts == 2
+
+
+def test_a_last_word_is_heard() -> None:
+    """ORCL-RUN-5: a reply that is whole counts, though the process has ended since."""
+    body = (
+        "import sys; sys.path.insert(0, sys.argv[1]); from good import reply, say, serve\n"
+        "def spoil(_, request): say(reply(request)); sys.exit(3)\n"
+        "serve(spoil)"
+    )
+    with Session((sys.executable, "-c", body, str(FOLDER)), CALM) as session:
+        assert session.errors == ""
+        assert session.ask(echo(1, "x" * 300_000)) == echoed("x" * 300_000)
+
+
+def test_no_events_before_hello() -> None:
+    """ORCL-EVENT-1."""
+    body = (
+        "import sys; sys.path.insert(0, sys.argv[1]); from good import reply, say, serve\n"
+        "say({'id': 0, 'ev': {'i': 0, 'symbol': 'C'}}); serve(None)"
+    )
+    (found,) = outcomes((sys.executable, "-c", body, str(FOLDER)), CALM, 1)
+    assert isinstance(found, NoProcess)
+    assert "an event that was not asked for" in found.why

@@ -179,7 +179,7 @@ class Process:
 
     def _write(self) -> None:
         try:
-            self._unsent = self._unsent[os.write(self._in, self._unsent[:CHUNK]) :]
+            self._unsent = self._unsent[os.write(self._in, self._unsent) :]
         except BlockingIOError:
             pass
         except BrokenPipeError:
