@@ -26,6 +26,7 @@ from clers.conformance.outcome import (
     Unsupported,
 )
 from clers.conformance.payloads import ScriptForm, StreamForm
+from clers.conformance.process import Ended, Process
 from clers.conformance.session import PURE_OUTPUT, Asked, Session, asked
 
 CALM: Final = Bounds(start=20.0, request=20.0, farewell=5.0)
@@ -374,3 +375,14 @@ def test_no_events_before_hello() -> None:
     (found,) = outcomes((sys.executable, "-c", body, str(FOLDER)), CALM, 1)
     assert isinstance(found, NoProcess)
     assert "an event that was not asked for" in found.why
+
+
+def test_what_an_ended_process_wrote_is_read() -> None:
+    """ORCL-RUN-5: two lines, read only after the end, and then the exit code."""
+    process = Process((sys.executable, "-c", "print('a'); print('b'); exit(3)"), CALM)
+    try:
+        assert is_gone(process.pid)
+        deadline = time.monotonic() + 10
+        assert [process.line(deadline) for _ in range(3)] == [b"a", b"b", Ended(3)]
+    finally:
+        process.end()
