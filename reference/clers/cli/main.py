@@ -13,6 +13,7 @@ from clers.cli import (
     bench,
     complexes,
     corpus,
+    generate,
     laws,
     meshes,
     operators,
@@ -44,6 +45,7 @@ app.command()(schema.schema)
 app.command(name="complex")(complexes.complex_of)
 app.add_typer(bench.app, name="bench")
 app.add_typer(corpus.app, name="corpus")
+app.add_typer(generate.app, name="generate")
 app.add_typer(laws.app, name="laws")
 app.add_typer(operators.app, name="operators")
 app.add_typer(spec.app, name="spec")

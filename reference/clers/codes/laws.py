@@ -7,7 +7,9 @@ from clers.codes import golden, plain
 from clers.codes.closings import closings, records
 from clers.codes.code import NOTHING
 from clers.codes.implied import implied
+from clers.codes.laws_enumerative import LAWS as ENUMERATIVE
 from clers.codes.laws_learning import LAWS as LEARNING
+from clers.codes.laws_trees import LAWS as TREES
 from clers.codes.registry import CODES, PARTIAL, CodeName, decode, encode, most_symbols
 from clers.complexes.given import SPHERES, SURFACES
 from clers.complexes.surface import Surface
@@ -186,6 +188,8 @@ def _of_code(code: CodeName) -> tuple[AnyLaw, ...]:
 LAWS: Final[tuple[AnyLaw, ...]] = (
     *(law for code in CodeName for law in _of_code(code)),
     *LEARNING,
+    *TREES,
+    *ENUMERATIVE,
     Law(
         "implied-c",
         Clause.CODE_IMPLIED_1,

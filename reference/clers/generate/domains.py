@@ -28,6 +28,8 @@ from clers.generate import (
     streams,
     structures,
     surfaces,
+    tree_words,
+    uniform,
 )
 
 DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
@@ -53,6 +55,8 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **moves.DOMAINS,
     **sheets.DOMAINS,
     **attachments.DOMAINS,
+    **uniform.DOMAINS,
+    **tree_words.DOMAINS,
 }
 
 
