@@ -8,6 +8,7 @@ from clers.codes.closings import closings, records
 from clers.codes.code import NOTHING
 from clers.codes.implied import implied
 from clers.codes.laws_enumerative import LAWS as ENUMERATIVE
+from clers.codes.laws_context import LAWS as CONTEXT
 from clers.codes.laws_learning import LAWS as LEARNING
 from clers.codes.laws_trees import LAWS as TREES
 from clers.codes.registry import CODES, PARTIAL, CodeName, decode, encode, most_symbols
@@ -188,6 +189,7 @@ def _of_code(code: CodeName) -> tuple[AnyLaw, ...]:
 LAWS: Final[tuple[AnyLaw, ...]] = (
     *(law for code in CodeName for law in _of_code(code)),
     *LEARNING,
+    *CONTEXT,
     *TREES,
     *ENUMERATIVE,
     Law(

@@ -5,7 +5,7 @@ from enum import StrEnum
 from typing import Final
 
 from clers.arithmetic.bits import Bits
-from clers.codes import adaptive, golden, huffman, plain
+from clers.codes import adaptive, context, golden, huffman, plain
 from clers.codes.closings import Closing, closings
 from clers.codes.code import Code, Shape
 from clers.codes.implied import coded_part, implied
@@ -24,6 +24,7 @@ class CodeName(StrEnum):
     ADAPTIVE_1 = "adaptive-1"
     ADAPTIVE_3 = "adaptive-3"
     ADAPTIVE_6 = "adaptive-6"
+    CONTEXT = "context"
 
 
 CODES: Final[Mapping[CodeName, Code]] = {
@@ -33,6 +34,7 @@ CODES: Final[Mapping[CodeName, Code]] = {
     CodeName.ADAPTIVE_1: adaptive.code(1),
     CodeName.ADAPTIVE_3: adaptive.code(3),
     CodeName.ADAPTIVE_6: adaptive.code(6),
+    CodeName.CONTEXT: context.CODE,
 }
 """What each name stands for. Clause: CODE-NAME-1."""
 

@@ -20,6 +20,7 @@ CODES: Final = (
     CodeName.ADAPTIVE_1,
     CodeName.ADAPTIVE_3,
     CodeName.ADAPTIVE_6,
+    CodeName.CONTEXT,
 )
 """The codes of the word, numbered from 1. Clause: FILE-HEAD-2."""
 
