@@ -77,10 +77,9 @@ def test_every_beginning_is_truncated(data: bytes) -> None:
     """TOOL-BITS-3."""
     for length in range(5, len(data)):
         where = AtByte(length)
-        found = connectivity(data[:length])
-        assert isinstance(found, Rejected)
-        assert (found.reason, found.clause) == (Reason.TRUNCATED_FILE, Clause.TOOL_BITS_3)
-        assert found.where == where
+        detail = f"the {'header' if length < len(HEADER) else 'connectivity'} goes on"
+        expected = Rejected(Reason.TRUNCATED_FILE, Clause.TOOL_BITS_3, where, detail)
+        assert connectivity(data[:length]) == expected
 
 
 def changed(data: bytes, at: int, value: int) -> bytes:
@@ -110,6 +109,15 @@ def changed(data: bytes, at: int, value: int) -> bytes:
 def test_refusals(data: bytes, reason: Reason, offset: int, detail: str) -> None:
     """TOOL-BITS-3."""
     assert connectivity(data) == Rejected(reason, Clause.TOOL_BITS_3, AtByte(offset), detail)
+
+
+def test_the_first_number_that_is_too_long() -> None:
+    """TOOL-BITS-3: whatever is wrong after it: another such number, a tagged scheme, the end."""
+    long = b"\xff" * 10
+    for rest in (b"\x01" + long, b"\x01\x00\x01\x00\x00\x00\x00\x01\x00", b""):
+        found = connectivity(HEADER + b"\x02" + long + rest)
+        assert isinstance(found, Rejected)
+        assert (found.reason, found.where) == (Reason.BAD_NUMBER, AtByte(12))
 
 
 def test_other_flags_are_no_metadata() -> None:

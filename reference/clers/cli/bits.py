@@ -139,7 +139,7 @@ def bounds(
     if as_json:
         json(found)
     else:
-        line(f"{spheres} random spheres of 100 to 10000 faces, seed {seed}")
+        line(f"{spheres} random spheres of 100 to 5000 faces, seed {seed}")
         heads = ["code", "guaranteed", "least", "mean", "most"]
         table(heads, [row.cells() for row in balls])
         for mesh in refused:

@@ -31,7 +31,7 @@ DRAWN: Final = (*GUARANTEED, BEST)
 """The codes that are tried on spheres, if there are such."""
 
 FEWEST: Final = 100
-MOST: Final = 10000
+MOST: Final = 5000
 SMALLEST: Final = 500
 """A mesh of fewer faces is left out: its counts are most of what it takes."""
 

@@ -66,13 +66,13 @@ def _draw_bounds(axes: Axes) -> None:
 def _draw_meshes(axes: Axes, meshes: tuple[OnMesh, ...]) -> None:
     across = range(len(meshes))
     _draw_bounds(axes)
-    axes.set_ylim(bottom=0)
     axes.scatter(across, [m.golden for m in meshes], s=14, c=COLOURS["golden"], label="golden")
     drawn_by = [(x, m.draco) for x, m in zip(across, meshes, strict=True) if m.draco is not None]
     if drawn_by:
         places, values = zip(*drawn_by, strict=True)
         axes.scatter(places, values, s=18, c="#000000", marker="D", label="Draco's lesser")
     axes.scatter(across, [m.best for m in meshes], s=26, c=COLOURS[BEST], label=BEST)
+    axes.set_ylim(bottom=0)
     axes.set_xticks(list(across), [m.mesh for m in meshes], rotation=90, fontsize=6)
     axes.set_title("meshes: all connectivity, handles and counts included", fontsize=9)
     axes.legend(loc="lower left", fontsize=8, frameon=False)

@@ -52,7 +52,8 @@ class _Reader:
     __slots__ = ("at", "data", "too_long")
 
     def __init__(self, data: bytes) -> None:
-        self.data, self.at, self.too_long = data, HEADER, -1
+        self.data, self.at = data, HEADER
+        self.too_long: int | None = None
 
     def byte(self) -> int:
         value = self.data[self.at] if self.at < len(self.data) else 0
@@ -62,14 +63,14 @@ class _Reader:
     def number(self) -> int:
         """Groups of seven binary digits, the lowest first; ten bytes at most."""
         start, value = self.at, 0
-        for shift in range(0, 70, 7):
+        for place in range(10):
             group = self.byte()
-            value |= (group & 127) << shift
+            value |= (group & 127) << (7 * place)
             if group < 128:
                 return value
-        self.too_long = start
-        self.at = len(self.data) + 1  # whatever follows has no meaning
-        return 0
+        if self.too_long is None:
+            self.too_long = start
+        return value
 
     def block(self) -> None:
         """A number, and so many bytes."""
@@ -108,15 +109,14 @@ def connectivity(data: bytes) -> Accepted[Connectivity] | Rejected:
     for _ in range(seams):
         _coded_bits(reader)
     marks.append(reader.at)
-    if traversal == VALENCE:
-        tagged = _contexts(reader)
-        if tagged is not None and not reader.ended:
-            return _rejected(Reason.UNKNOWN_FORMAT, tagged, "symbols in the tagged scheme")
+    tagged = _contexts(reader) if traversal == VALENCE else None
     marks.append(reader.at)
-    if reader.too_long >= 0:
+    if reader.too_long is not None:
         return _rejected(Reason.BAD_NUMBER, reader.too_long, "a number of more than ten bytes")
     if reader.ended:
         return _rejected(Reason.TRUNCATED_FILE, len(data), "the connectivity goes on")
+    if tagged is not None:
+        return _rejected(Reason.UNKNOWN_FORMAT, tagged, "symbols in the tagged scheme")
     counts, splits, plain, starts, sewn, contexts = (
         after - before for before, after in pairwise(marks)
     )
