@@ -283,9 +283,7 @@ TWICE_WRONG = {
         Clause.CODE_PLAIN_2,
     ),
     "records-then-positions": (
-        file(
-            ("HEAD", "01 02 04 04 00 03 01"), ("HAND", "06 04"), ("WORD", WORD), ("POSN", "")
-        ),
+        file(("HEAD", "01 02 04 04 00 03 01"), ("HAND", "06 04"), ("WORD", WORD), ("POSN", "")),
         Clause.CODE_HAND_3,
     ),
     "word-then-positions": (

@@ -128,7 +128,10 @@ def table(p: int) -> tuple[int, ...]:
 
 
 def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
-    """The bits of the symbols, the last one first. Linear. Clauses: CODE-CONTEXT-1, -8."""
+    """The bits of the symbols, the last one first.
+
+    Linear. Clauses: CODE-CONTEXT-1, CODE-CONTEXT-3.
+    """
     stranger = next((i for i, x in enumerate(symbols) if x not in DECISIONS), None)
     if stranger is not None:
         return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_CONTEXT_1, AtSymbol(stranger))
@@ -153,7 +156,10 @@ def _symbol_of(symbols: str, decision: int) -> int:
 
 
 def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
-    """The `count` symbols of these bits, and no others. Linear. Clauses: CODE-CONTEXT-1, -8."""
+    """The `count` symbols of these bits, and no others.
+
+    Linear. Clauses: CODE-CONTEXT-1, CODE-CONTEXT-8.
+    """
     decoded = coder.decode(Foretelling(count, shape), bits, 4 * count)
     if isinstance(decoded, Rejected):
         return decoded

@@ -9,6 +9,7 @@ from clers.codes.code import NOTHING
 from clers.codes.implied import implied
 from clers.codes.laws_enumerative import LAWS as ENUMERATIVE
 from clers.codes.laws_context import LAWS as CONTEXT
+from clers.codes.laws_handles import LAWS as HANDLES
 from clers.codes.laws_learning import LAWS as LEARNING
 from clers.codes.laws_trees import LAWS as TREES
 from clers.codes.registry import CODES, PARTIAL, CodeName, decode, encode, most_symbols
@@ -189,6 +190,7 @@ def _of_code(code: CodeName) -> tuple[AnyLaw, ...]:
 LAWS: Final[tuple[AnyLaw, ...]] = (
     *(law for code in CodeName for law in _of_code(code)),
     *LEARNING,
+    *HANDLES,
     *CONTEXT,
     *TREES,
     *ENUMERATIVE,
