@@ -8,6 +8,7 @@ from clers.codes.closings import closings, records
 from clers.codes.code import NOTHING
 from clers.codes.implied import implied
 from clers.codes.laws_enumerative import LAWS as ENUMERATIVE
+from clers.codes.laws_guarantees import LAWS as GUARANTEES
 from clers.codes.laws_context import LAWS as CONTEXT
 from clers.codes.laws_handles import LAWS as HANDLES
 from clers.codes.laws_learning import LAWS as LEARNING
@@ -190,6 +191,7 @@ def _of_code(code: CodeName) -> tuple[AnyLaw, ...]:
 LAWS: Final[tuple[AnyLaw, ...]] = (
     *(law for code in CodeName for law in _of_code(code)),
     *LEARNING,
+    *GUARANTEES,
     *HANDLES,
     *CONTEXT,
     *TREES,
