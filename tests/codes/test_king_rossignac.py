@@ -7,7 +7,9 @@ import pytest
 from clers.arithmetic.bits import Bits, pack
 from clers.codes import king_rossignac as code
 from clers.codes.code import Shape
-from clers.complexes.topology import components
+from clers.codes.counts import Counts, counts_of, counts_of_word
+from clers.complexes.surface import Face
+from clers.complexes.topology import Component, components
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -130,3 +132,38 @@ def test_the_family_that_comes_close(m: int) -> None:
     assert isinstance(written, Accepted)
     assert written.value.length == 11 * m + 2
     assert (11 * (6 * m + 2) - 6) // 6 == 11 * m + 2
+
+
+def part(triangles: int, genus: int = 0, curves: int = 0, edges: int = 0) -> Component:
+    """A component by the counts that matter here."""
+    return Component(Face(0), triangles, 0, 0, edges, curves, genus, 0)
+
+
+def test_counts_by_hand() -> None:
+    """CODE-COUNT-1, CODE-COUNT-2.
+
+    Closed, T = 20, g = 2: n 19, #C 10 − 1 − 4, #S − #E 3. With boundary, T = 20, g = 2, b = 3,
+    B = 10: n 20, #C 5 + 2 − 4 − 3, #S − #E 4 + 3 − 2. Both together are the sums.
+    """
+    assert counts_of((part(20, genus=2),)) == Counts(19, 5, 3)
+    assert counts_of((part(20, 2, 3, 10),)) == Counts(20, 0, 5)
+    assert counts_of((part(20, genus=2), part(20, 2, 3, 10))) == Counts(39, 5, 8)
+    assert counts_of_word("CCSREE") == Counts(6, 2, -1)
+
+
+def test_the_bound_is_tight_in_its_parts() -> None:
+    """CODE-KR-6: T = 8 has 35 / 3, and with a CS 34 / 3; with boundary no C is implied.
+
+    Sphere of 4 and disc of a triangle (11/2 + 15/2 − 12 + 6 = 7): 18 + 7 = 25, a third is 8.
+    """
+    assert [code.bound((part(8),), cs) for cs in (0, 2, 3)] == [13, 13, 12]
+    assert code.bound((part(8),)) == 13
+    assert code.bound((part(1, 0, 1, 3), part(4))) == 10
+    assert code.bound((part(4), part(4))) == (18 + 18 - 5) // 3 + 2
+
+
+def test_the_code_as_a_value() -> None:
+    """CODE-KR-1, CODE-KR-7."""
+    assert code.CODE.encode("RE", AFTER_C) == Accepted(bits("011101"))
+    assert code.CODE.decode(bits("011101"), 2, AFTER_C) == Accepted("RE")
+    assert code.CODE.most_symbols(9) == 8
