@@ -7,6 +7,7 @@ from typing import Final
 from clers.arithmetic.bits import Bits
 from clers.codes import (
     adaptive,
+    best,
     context,
     enumerative,
     golden,
@@ -38,6 +39,7 @@ class CodeName(StrEnum):
     ADAPTIVE_3 = "adaptive-3"
     ADAPTIVE_6 = "adaptive-6"
     CONTEXT = "context"
+    BEST = "best"
 
 
 CODES: Final[Mapping[CodeName, Code]] = {
@@ -52,6 +54,7 @@ CODES: Final[Mapping[CodeName, Code]] = {
     CodeName.ADAPTIVE_3: adaptive.code(3),
     CodeName.ADAPTIVE_6: adaptive.code(6),
     CodeName.CONTEXT: context.CODE,
+    CodeName.BEST: best.CODE,
 }
 """What each name stands for. Clause: CODE-NAME-1."""
 

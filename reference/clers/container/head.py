@@ -25,6 +25,7 @@ CODES: Final = (
     CodeName.MINIMAX_8,
     CodeName.CONTEXT,
     CodeName.ENUMERATIVE,
+    CodeName.BEST,
 )
 """The codes of the word, numbered from 1. Clause: FILE-HEAD-2."""
 
