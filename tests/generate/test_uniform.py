@@ -104,7 +104,7 @@ def test_the_strategy_shrinks_to_few_vertices() -> None:
     least = find(uniform_spheres(), lambda _: True, settings=settled, random=Random(0))
     assert least.vertices == 4
     forked = find(uniform_spheres(), lambda s: "S" in word(s), settings=settled, random=Random(0))
-    assert forked.vertices in (6, 7)
+    assert 6 <= forked.vertices <= 9
     assert [any("S" in w for w in sphere_words(v)) for v in (4, 5, 6)] == [False, False, True]
 
 

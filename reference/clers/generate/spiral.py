@@ -27,9 +27,9 @@ def breadth_first(sphere: Surface) -> list[int]:
 
 def spiral(sphere: Surface) -> Positions:
     """A place for each vertex. The faces may cross: these are no shape. TOOL-GENERATE-1."""
-    places: list[tuple[float, float, float]] = [(0.0, 0.0, 0.0)] * sphere.vertices
+    places: dict[int, tuple[float, float, float]] = {}
     for k, v in enumerate(breadth_first(sphere)):
         z = 1 - (2 * k + 1) / sphere.vertices
         radius = sqrt(1 - z * z)
         places[v] = (radius * cos(k * GOLDEN_ANGLE), radius * sin(k * GOLDEN_ANGLE), z)
-    return Positions(Precision.F64, tuple(x for place in places for x in place))
+    return Positions(Precision.F64, tuple(x for v in range(sphere.vertices) for x in places[v]))
