@@ -194,6 +194,14 @@ def test_shorter_contexts_give_the_plain_and_golden_measures(
     assert rows == expected
 
 
+def test_the_code_as_a_value() -> None:
+    """CODE-MINIMAX-4, CODE-MINIMAX-7: the tetrahedron as above."""
+    of = code(MINIMAX_3)
+    assert of.encode("RE", AFTER_C) == Accepted(pack([1, 1, 0, 0, 0]))
+    assert of.decode(pack([1, 1, 0, 0, 0]), 2, AFTER_C) == Accepted("RE")
+    assert of.most_symbols(7) == 15
+
+
 def test_weights_in_the_order_of_symbols() -> None:
     """CODE-MINIMAX-2."""
     assert weights(3.0, 4.0) == (3.0, 1.0, 0.25, 1.0, 4.0)

@@ -109,8 +109,7 @@ def bound(of: Minimax, parts: tuple[Component, ...]) -> int | None:
 
 def code(of: Minimax) -> Code:
     """The code as a value. Clauses: CODE-MINIMAX-4 … CODE-MINIMAX-7."""
-    sign = "+" if of.constant > 0 else "−"
-    line = f"{float(of.rate)}·T {sign} {abs(float(of.constant))}"
+    line = f"{float(of.rate)}·T − {float(-of.constant)}"
     return Code(
         lambda symbols, shape: encode(of, symbols, shape),
         lambda bits, count, shape: decode(of, bits, count, shape),
