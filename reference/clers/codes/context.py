@@ -66,8 +66,7 @@ def foretold(count: int, shape: Shape) -> Generator[int, int, None]:
             5 * (256 * a + loops.valences) + 3,
             5 * (6 * (256 * c + 16 * a + z) + past % 6) + 4,
         )
-        here = [slots.get(key) or slots.setdefault(key, [NEW] * 4) for key in keys]
-        f0, f1, f2, f3, f4 = here
+        f0, f1, f2, f3, f4 = [slots.get(key) or slots.setdefault(key, [NEW] * 4) for key in keys]
         symbol = S
         for d in range(4):
             if d == C and small == 0:
@@ -76,8 +75,9 @@ def foretold(count: int, shape: Shape) -> Generator[int, int, None]:
                 bit = yield UNIT
             else:
                 w0, w1, w2, w3, w4 = weights[d]
-                s0, s1, s2 = STRETCH[f0[d] >> 12], STRETCH[f1[d] >> 12], STRETCH[f2[d] >> 12]
-                s3, s4 = STRETCH[f3[d] >> 12], STRETCH[f4[d] >> 12]
+                v0, v1, v2, v3, v4 = f0[d], f1[d], f2[d], f3[d], f4[d]
+                s0, s1, s2 = STRETCH[v0 >> 12], STRETCH[v1 >> 12], STRETCH[v2 >> 12]
+                s3, s4 = STRETCH[v3 >> 12], STRETCH[v4 >> 12]
                 total = w0 * s0 + w1 * s1 + w2 * s2 + w3 * s3 + w4 * s4 >> 16
                 p = SQUASH[total + LAST if -LAST < total < LAST else 2 * LAST * (total > 0)]
                 bit = yield p
@@ -89,11 +89,13 @@ def foretold(count: int, shape: Shape) -> Generator[int, int, None]:
                     w3 + (s3 * error + HALF >> 15),
                     w4 + (s4 * error + HALF >> 15),
                 )
-                target = 65535 if bit else 0
-                for four in here:
-                    slot = four[d]
-                    k = slot & 255
-                    four[d] = slot + ((target - (slot >> 8)) * RATE[k] >> 16 << 8) + (k < OFTEN)
+                to = 65535 if bit else 0
+                k0, k1, k2, k3, k4 = v0 & 255, v1 & 255, v2 & 255, v3 & 255, v4 & 255
+                f0[d] = v0 + ((to - (v0 >> 8)) * RATE[k0] >> 16 << 8) + (k0 < OFTEN)
+                f1[d] = v1 + ((to - (v1 >> 8)) * RATE[k1] >> 16 << 8) + (k1 < OFTEN)
+                f2[d] = v2 + ((to - (v2 >> 8)) * RATE[k2] >> 16 << 8) + (k2 < OFTEN)
+                f3[d] = v3 + ((to - (v3 >> 8)) * RATE[k3] >> 16 << 8) + (k3 < OFTEN)
+                f4[d] = v4 + ((to - (v4 >> 8)) * RATE[k4] >> 16 << 8) + (k4 < OFTEN)
             if bit:
                 symbol = d
                 break
@@ -113,12 +115,13 @@ class Foretelling:
     __slots__ = ("cumulative", "told")
 
     def __init__(self, count: int, shape: Shape) -> None:
-        self.told = foretold(count, shape)
-        self.cumulative = table(next(self.told))
+        told = foretold(count, shape)
+        self.cumulative = table(next(told))
+        self.told = told.send
 
     def after(self, symbol: int) -> "Foretelling":
         """Itself, one decision later."""
-        self.cumulative = table(self.told.send(symbol))
+        self.cumulative = table(self.told(symbol))
         return self
 
 

@@ -32,10 +32,11 @@ class Loops:
         "closings",
         "count",
         "gates",
+        "lefts",
         "met",
         "passed",
+        "rights",
         "valences",
-        "waiting",
     )
 
     def __init__(self, closings: Sequence[Closing]) -> None:
@@ -47,13 +48,14 @@ class Loops:
         self.closings = closings
         self.met = 0  # closings used up
         self.passed = 0
-        self.waiting: dict[Side, list[int]] = {Side.RIGHT: [], Side.LEFT: []}
+        self.rights: list[int] = []  # edges that can close an S
+        self.lefts: list[int] = []
 
     def _other(self) -> int:
         """The edge that the left edge of an S here is glued to; GLUED if there is none."""
         if self._has_record():
             closing = self.closings[self.met]
-            edges = self.waiting[closing.side]
+            edges = self.rights if closing.side is Side.RIGHT else self.lefts
             return edges[-1 - closing.between] if closing.between < len(edges) else GLUED
         return self.gates[-2] if len(self.gates) > 1 else GLUED
 
@@ -76,11 +78,11 @@ class Loops:
         elif symbol == R:
             first = self._replace()
             self.gates[-1] = first
-            self.waiting[Side.RIGHT].append(first + 1)
+            self.rights.append(first + 1)
         elif symbol == L:
             first = self._replace()
             self.gates[-1] = first + 1
-            self.waiting[Side.LEFT].append(first)
+            self.lefts.append(first)
         elif symbol == E:
             self._end()
         else:
@@ -100,18 +102,20 @@ class Loops:
         self._add(gate, gate + 2, 1)
         self._add(gate + 1, gate, 1)
         self.gates.append(gate)
-        self.waiting[Side.RIGHT].append(gate + 1)
-        self.waiting[Side.LEFT].append(gate + 2)
+        self.rights.append(gate + 1)
+        self.lefts.append(gate + 2)
 
     def _replace(self) -> int:
         """R and L: two edges in place of the gate, and a new vertex between; the first of them."""
+        after, before, count = self.after, self.before, self.count
         e = self.gates[-1]
-        b, x, first = self.after[e], self.before[e], len(self.after)
-        self._add(x, first + 1, self.count[e] + 1)
-        self._add(first, b, 1)
-        self.after[x], self.before[b] = first, first + 1
-        self.after[e] = GLUED
-        self.count[b] += 1
+        b, x, first = after[e], before[e], len(after)
+        before += (x, first)
+        after += (first + 1, b)
+        count += (count[e] + 1, 1)
+        after[x], before[b] = first, first + 1
+        after[e] = GLUED
+        count[b] += 1
         return first
 
     def _create(self) -> None:
@@ -120,7 +124,10 @@ class Loops:
         e = self.gates[-1]
         b, x = after[e], before[e]
         xx = before[x]
-        gate = self._add(xx, b, count[x] + 1)
+        gate = len(after)  # `_add`, written out
+        before.append(xx)
+        after.append(b)
+        count.append(count[x] + 1)
         after[xx] = before[b] = gate
         after[e] = after[x] = GLUED
         count[b] += 1
