@@ -1,6 +1,6 @@
 """Every word of every sphere to a size, in every code with a guarantee, against what it promises.
 
-To 14 triangles always; with CLERS_PROFILE=campaign to 20, which takes a quarter of an hour.
+To 14 triangles always; with CLERS_PROFILE=campaign to 20, which takes some twenty minutes.
 """
 
 import os
