@@ -53,8 +53,8 @@ def foretold(count: int, shape: Shape) -> Generator[int, int, None]:
         end, x = after[e], before[e]
         y, xx = after[end], before[x]
         small = 0 if y == x or x == end else 1 if y == xx else 2
+        # Clamped without calls of `min`; all that follows is written for speed.
         a, b, c, z = counts[e], counts[end], counts[x], counts[xx]
-        # Clamped without calls of `min`, as all that follows is written for speed.
         a = a if a < MOST else MOST
         b = b if b < MOST else MOST
         c = c if c < MOST else MOST
@@ -121,7 +121,8 @@ class Foretelling:
 
     def after(self, symbol: int) -> "Foretelling":
         """Itself, one decision later."""
-        self.cumulative = table(self.told(symbol))
+        p = self.told(symbol)
+        self.cumulative = (0, UNIT - p, UNIT) if p != END else (0,)  # `table`, written out
         return self
 
 
