@@ -4,6 +4,7 @@ from math import log2
 from pathlib import Path
 from typing import Final
 
+import numpy as np
 import pytest
 
 from clers.cli.loading import mesh_in
@@ -223,6 +224,18 @@ def test_page_by_hand() -> None:
     assert sum(line.startswith("## ") for line in lines) == 8
     assert lines[-4:] == ["## Refused", "", "- c: invalid: empty-mesh", ""]
     assert "## Refused" not in page(told(), "command")
+
+
+def test_dots_of_the_plot() -> None:
+    """TOOL-BITS-9: a row for each mesh, the cheapest in `best` highest; bits per vertex across."""
+    of = told(row("cheap", 16, 40, 32), row("dear", 24, None, 20))
+    (axes,) = figure(of).axes
+    assert [label.get_text() for label in axes.get_yticklabels()] == ["dear", "cheap"]
+    dots = {dots.get_label(): np.asarray(dots.get_offsets()).tolist() for dots in axes.collections}
+    assert dots[BEST] == [[6, 0], [4, 1]]
+    assert dots["draco-standard"] == [[10, 1]]
+    assert dots["draco-valence"] == [[5, 0], [8, 1]]
+    assert dots["limit"] == [[4, 0], [4, 1]]
 
 
 def test_plots_show_every_mesh_and_code() -> None:

@@ -1,10 +1,13 @@
 """Spheres beside bounds, and the commands `bench bits` and `bench bounds` as a user runs them."""
 
 import json
+from math import log2
 from pathlib import Path
 from typing import Final
 
+import numpy as np
 import pytest
+from matplotlib.axes import Axes
 from typer.testing import CliRunner, Result
 
 from clers.cli.loading import mesh_in
@@ -65,6 +68,24 @@ def test_row_of_bounds() -> None:
     two = OnSpheres("plain", 2.0, (100, 200), (1.5, 1.75))
     assert two.cells() == ["plain", "2.0000", "1.5000", "1.6250", "1.7500"]
     assert OnSpheres(BEST, None, (100,), (1.5,)).cells()[1] == "–"
+
+
+def places(axes: Axes) -> list[list[list[float]]]:
+    """Where the dots are, a list for each code."""
+    return [np.asarray(dots.get_offsets()).tolist() for dots in axes.collections]
+
+
+def test_dots_of_bounds() -> None:
+    """TOOL-BITS-10: triangles across, bits per triangle upward; meshes one after another."""
+    spheres = (OnSpheres("plain", 2.0, (100, 200), (1.5, 1.75)),)
+    meshes = (OnMesh("first", 1.8, 1.5, None), OnMesh("second", 1.7, 1.2, 1.6))
+    figure = drawn(Bounds(1, spheres, meshes, ()))
+    left, right = figure.axes
+    assert places(left) == [[[100, 1.5], [200, 1.75]]]
+    assert places(right) == [[[0, 1.8], [1, 1.7]], [[1, 1.6]], [[0, 1.5], [1, 1.2]]]
+    heights = [set(np.asarray(line.get_ydata()).tolist()) for line in left.lines]
+    assert heights == [{2}, {11 / 6}, {2.5 * log2((1 + 5**0.5) / 2)}, {log2(256 / 27) / 2}]
+    assert left.get_title().startswith("2 random spheres")
 
 
 def test_plot_of_bounds() -> None:

@@ -18,6 +18,8 @@ from clers.conventions.result import Accepted, Rejected
 from clers.edgebreaker.examples import TETRAHEDRON
 from clers.measure.bits.costs import PEERS, Kind, measured
 from clers.measure.bits.report import report
+from clers.measure.bits.spheres import random_sphere
+from clers.measure.peers.draco import DRACO, encoded
 from clers.measure.peers.index_list import (
     by_lzma,
     by_meshoptimizer,
@@ -81,6 +83,37 @@ def test_meshoptimizer_is_asked_in_order(monkeypatch: pytest.MonkeyPatch) -> Non
     assert reordered(TETRAHEDRON) == Accepted(expected)
     packed = zstandard.ZstdCompressor(level=19).compress(expected)
     assert by_meshoptimizer(TETRAHEDRON) == Accepted(len(packed))
+
+
+class PretendedDraco(ModuleType):
+    """Writes down what it is asked."""
+
+    asked: Final[list[tuple[list[list[float]], list[list[int]], int, int]]] = []
+
+    @staticmethod
+    def encode(
+        places: npt.NDArray[np.float32],
+        faces: npt.NDArray[np.uint32],
+        quantization_bits: int,
+        compression_level: int,
+    ) -> bytes:
+        PretendedDraco.asked.append(
+            (places.tolist(), faces.tolist(), quantization_bits, compression_level)
+        )
+        return b"a file"
+
+
+def test_draco_is_given_a_place_for_each_vertex(monkeypatch: pytest.MonkeyPatch) -> None:
+    """TOOL-BITS-2: rows of 4096, so that binary32 has all of them and no two are the same."""
+    monkeypatch.setitem(sys.modules, "DracoPy", PretendedDraco("DracoPy"))
+    many = random_sphere(2 * 8200 - 4, 1)
+    assert many.vertices == 8200
+    assert encoded(many, 7) == Accepted(b"a file")
+    ((places, faces, bits, level),) = PretendedDraco.asked
+    assert places == [[i % 4096, i // 4096, 0] for i in range(8200)]
+    assert faces == [list(face) for face in many.triangles()]
+    assert (bits, level) == (1, 7)
+    assert [peer.name for peer in DRACO] == ["draco-standard", "draco-valence"]
 
 
 @pytest.mark.parametrize("package", ["DracoPy", "meshoptimizer", "zstandard"])

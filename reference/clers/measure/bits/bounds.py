@@ -115,7 +115,7 @@ def _on_mesh(name: str, surface: Surface) -> OnMesh:
     encoding = encode(surface)
     golden, best = (
         8 * must(code_bytes(surface, encoding, code)) / surface.faces
-        for code in (CodeName.GOLDEN, CodeName(BEST))
+        for code in (CodeName.GOLDEN, CodeName.BEST)
     )
     answers = {peer.name: peer.bytes_for(surface) for peer in DRACO}
     asked = {

@@ -44,23 +44,30 @@ def _draw_spheres(axes: Axes, of: Bounds) -> None:
             rasterized=True,
         )  # fmt: skip
     _draw_bounds(axes)
+    for name, value in GUARANTEED.items():
+        axes.annotate(
+            TITLES[name], (1, value), xycoords=("axes fraction", "data"), xytext=(-3, 2),
+            textcoords="offset points", ha="right", fontsize=7, color=COLOURS[name],
+        )  # fmt: skip
     axes.set_xscale("log")
     axes.set_ylim(1.5, 2.03)
     axes.set_xlabel("triangles")
     axes.set_ylabel("bits per triangle")
     count = len(of.spheres[0].faces)
     axes.set_title(f"{count} random spheres: the word; lines: what is guaranteed", fontsize=9)
-    axes.legend(loc="lower left", fontsize=8, markerscale=3, frameon=False)
+    axes.legend(
+        loc="upper right",
+        bbox_to_anchor=(1, 0.92),
+        ncols=2,
+        fontsize=8,
+        markerscale=3,
+        frameon=False,
+    )
 
 
 def _draw_bounds(axes: Axes) -> None:
-    """A line for each bound, with its number at the right end."""
     for name, value in GUARANTEED.items():
         axes.axhline(value, color=COLOURS[name], linewidth=0.8, zorder=1)
-        axes.annotate(
-            TITLES[name], (1, value), xycoords=("axes fraction", "data"), xytext=(-3, 2),
-            textcoords="offset points", ha="right", fontsize=7, color=COLOURS[name],
-        )  # fmt: skip
 
 
 def _draw_meshes(axes: Axes, meshes: tuple[OnMesh, ...]) -> None:

@@ -18,7 +18,7 @@ from clers.measure.peers.draco import DRACO
 from clers.measure.peers.index_list import INDEX_LISTS
 
 PEERS: Final = (*DRACO, *INDEX_LISTS)
-BEST: Final = next(name for name in ("best", "context", "adaptive-3") if name in set(CodeName))
+BEST: Final = str(CodeName.BEST)
 """The code that is compared with Draco. Clause: TOOL-BITS-7."""
 
 

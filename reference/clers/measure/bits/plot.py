@@ -47,7 +47,7 @@ def _look(name: str, kind: Kind, k: int) -> tuple[str, str, float]:
         return DRACO[name], "#000000", 20
     match kind:
         case Kind.CODE:
-            return "o", f"C{k % 10}", 12
+            return "ov"[k // 10], f"C{k % 10}", 12
         case Kind.PEER:
             return "^", "#777777", 20
         case Kind.MEASURE:
