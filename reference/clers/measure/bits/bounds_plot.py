@@ -56,13 +56,9 @@ def _draw_spheres(axes: Axes, of: Bounds) -> None:
     count = len(of.spheres[0].faces)
     axes.set_title(f"{count} random spheres: the word; lines: what is guaranteed", fontsize=9)
     axes.legend(
-        loc="upper right",
-        bbox_to_anchor=(1, 0.92),
-        ncols=2,
-        fontsize=8,
-        markerscale=3,
+        loc="upper right", bbox_to_anchor=(1, 0.92), ncols=2, fontsize=8, markerscale=3,
         frameon=False,
-    )
+    )  # fmt: skip
 
 
 def _draw_bounds(axes: Axes) -> None:
