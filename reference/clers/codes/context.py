@@ -59,14 +59,16 @@ def foretold(count: int, shape: Shape) -> Generator[int, int, None]:
         b = b if b < MOST else MOST
         c = c if c < MOST else MOST
         z = z if z < MOST else MOST
-        keys = (
-            5 * (48 * a + 3 * b + small),
-            5 * (16 * past + a) + 1,
-            5 * (past % 1296) + 2,
-            5 * (256 * a + loops.valences) + 3,
-            5 * (6 * (256 * c + 16 * a + z) + past % 6) + 4,
-        )
-        f0, f1, f2, f3, f4 = [slots.get(key) or slots.setdefault(key, [NEW] * 4) for key in keys]
+        k0 = 5 * (48 * a + 3 * b + small)
+        k1 = 5 * (16 * past + a) + 1
+        k2 = 5 * (past % 1296) + 2
+        k3 = 5 * (256 * a + loops.valences) + 3
+        k4 = 5 * (6 * (256 * c + 16 * a + z) + past % 6) + 4
+        f0 = slots.get(k0) or slots.setdefault(k0, [NEW] * 4)
+        f1 = slots.get(k1) or slots.setdefault(k1, [NEW] * 4)
+        f2 = slots.get(k2) or slots.setdefault(k2, [NEW] * 4)
+        f3 = slots.get(k3) or slots.setdefault(k3, [NEW] * 4)
+        f4 = slots.get(k4) or slots.setdefault(k4, [NEW] * 4)
         symbol = S
         for d in range(4):
             if d == C and small == 0:
@@ -90,12 +92,12 @@ def foretold(count: int, shape: Shape) -> Generator[int, int, None]:
                     w4 + (s4 * error + HALF >> 15),
                 )
                 to = 65535 if bit else 0
-                k0, k1, k2, k3, k4 = v0 & 255, v1 & 255, v2 & 255, v3 & 255, v4 & 255
-                f0[d] = v0 + ((to - (v0 >> 8)) * RATE[k0] >> 16 << 8) + (k0 < OFTEN)
-                f1[d] = v1 + ((to - (v1 >> 8)) * RATE[k1] >> 16 << 8) + (k1 < OFTEN)
-                f2[d] = v2 + ((to - (v2 >> 8)) * RATE[k2] >> 16 << 8) + (k2 < OFTEN)
-                f3[d] = v3 + ((to - (v3 >> 8)) * RATE[k3] >> 16 << 8) + (k3 < OFTEN)
-                f4[d] = v4 + ((to - (v4 >> 8)) * RATE[k4] >> 16 << 8) + (k4 < OFTEN)
+                n0, n1, n2, n3, n4 = v0 & 255, v1 & 255, v2 & 255, v3 & 255, v4 & 255
+                f0[d] = v0 + ((to - (v0 >> 8)) * RATE[n0] >> 16 << 8) + (n0 < OFTEN)
+                f1[d] = v1 + ((to - (v1 >> 8)) * RATE[n1] >> 16 << 8) + (n1 < OFTEN)
+                f2[d] = v2 + ((to - (v2 >> 8)) * RATE[n2] >> 16 << 8) + (n2 < OFTEN)
+                f3[d] = v3 + ((to - (v3 >> 8)) * RATE[n3] >> 16 << 8) + (n3 < OFTEN)
+                f4[d] = v4 + ((to - (v4 >> 8)) * RATE[n4] >> 16 << 8) + (n4 < OFTEN)
             if bit:
                 symbol = d
                 break
