@@ -230,6 +230,7 @@ def test_dots_of_the_plot() -> None:
     """TOOL-BITS-9: a row for each mesh, the cheapest in `best` highest; bits per vertex across."""
     of = told(row("cheap", 16, 40, 32), row("dear", 24, None, 20))
     (axes,) = figure(of).axes
+    assert axes.get_xlim() == (0, 8)
     assert [label.get_text() for label in axes.get_yticklabels()] == ["dear", "cheap"]
     dots = {dots.get_label(): np.asarray(dots.get_offsets()).tolist() for dots in axes.collections}
     assert dots[BEST] == [[6, 0], [4, 1]]
