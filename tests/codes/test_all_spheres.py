@@ -53,7 +53,9 @@ def length(code: CodeName, word: str) -> int:
 
 @pytest.mark.parametrize("triangles", SIZES)
 def test_all_spheres_are_within_what_is_promised(triangles: int) -> None:
-    """CODE-PLAIN-3, CODE-KR-6, -8, CODE-GOLDEN-7, CODE-MINIMAX-5, -6, CODE-ENUM-4, CODE-BEST-3."""
+    """CODE-PLAIN-3, CODE-KR-6, CODE-KR-8, CODE-GOLDEN-7, CODE-MINIMAX-5, CODE-MINIMAX-6,
+    CODE-ENUM-4, CODE-BEST-3.
+    """
     most = dict.fromkeys(PROMISED, 0)
     # What is left of the two bounds of King and Rossignac's code by the word that comes closest.
     left_coded, left_all = triangles, triangles
