@@ -51,7 +51,7 @@ def test_the_published_schemas_are_those_of_the_records(name: str) -> None:
     assert json.loads(clers("schema", name).stdout) == json.loads(published)
 
 
-@pytest.mark.parametrize("code", list(CodeName))
+@pytest.mark.parametrize("code", [code for code in CodeName if code != "enumerative"])
 @pytest.mark.parametrize("positions", ["exact", "q12"])
 def test_encode_decode_info(tmp_path: Path, code: str, positions: str) -> None:
     """TOOL-ENCODE-1, TOOL-ENCODE-2, TOOL-INFO-1."""
@@ -162,3 +162,42 @@ def test_the_walk_is_drawn_into_a_file(tmp_path: Path, name: str, starts: bytes)
     assert clers("trace", RING, "-o", str(tmp_path / "w.gif")).exit_code == Exit.USAGE
     assert clers("trace", RING, "-o", str(out), "--layout", "round").exit_code == Exit.USAGE
     assert clers("trace", RING, "-o", str(out), "--steps", "9-7").exit_code == Exit.NOT_CONFORMING
+
+
+@pytest.mark.parametrize(
+    ("code", "text", "bits"),
+    [
+        # The ring has six triangles, no interior vertex: three bits a symbol.
+        ("plain", "2T - 2 bits on spheres; by its counts on every surface", 18),
+        ("context", "no bound for the worst case", None),
+    ],
+)
+def test_info_says_what_is_guaranteed(
+    tmp_path: Path, code: str, text: str, bits: int | None
+) -> None:
+    """TOOL-INFO-1, CODE-NAME-4."""
+    packed = tmp_path / "ring.clers"
+    clers("encode", RING, "-o", str(packed), "--code", code)
+    said = json.loads(clers("info", str(packed), "--json").stdout)["file"]
+    assert (said["guarantee"], said["most_bits"]) == (text, bits)
+    line = f"guarantee of {code}: {text}; " + (
+        f"{bits} bits here" if bits else "does not apply here"
+    )
+    assert line in clers("info", str(packed)).stdout.replace("\n", " ").replace("  ", " ")
+
+
+def test_best_is_the_default(tmp_path: Path) -> None:
+    """TOOL-ENCODE-2."""
+    packed = tmp_path / "ring.clers"
+    clers("encode", RING, "-o", str(packed))
+    assert json.loads(clers("info", str(packed), "--json").stdout)["file"]["code"] == "best"
+
+
+def test_a_code_for_spheres(tmp_path: Path) -> None:
+    """TOOL-ENCODE-2, CODE-NAME-5: the enumerative code takes the cube and refuses the ring."""
+    packed = tmp_path / "x.clers"
+    options = ("-o", str(packed), "--code", "enumerative")
+    assert clers("encode", RING, *options).exit_code == Exit.NOT_CONFORMING
+    assert not packed.exists()
+    assert clers("encode", str(MESHES / "cube.ply"), *options).exit_code == Exit.CONFORMING
+    assert "enumerative" in clers("info", str(packed)).stdout

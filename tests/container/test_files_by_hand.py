@@ -1,5 +1,6 @@
 """Whole files written by hand: what is written and read."""
 
+from fractions import Fraction
 from struct import pack
 
 import pytest
@@ -90,16 +91,28 @@ def test_numbers_of_fixed_width() -> None:
 
 
 def test_handle_data_of_the_torus() -> None:
-    """(0, 6, right) and (1, 5, right): 0, then 6 folded to 12; 0, then −1 folded to 1.
+    """The page's slots: 1/5, 1/2, kind and side 1/2, 1/5, 1/2; then 1/7, 3/4, 3/4, 1/7, 1/4.
 
-    Clauses: FILE-HAND-1, FILE-HAND-2.
+    Clauses: FILE-HAND-1, FILE-HAND-2, CODE-HAND-4.
     """
-    assert section("HAND", bytes.fromhex("00 0c 00 01")) in _encoded(TORUS)
+    slots = [(1, 1, 5), (1, 1, 2), (0, 1, 2), (0, 1, 2), (1, 1, 5), (1, 1, 2)]
+    slots += [(0, 1, 7), (0, 3, 4), (0, 3, 4), (4, 1, 7), (1, 1, 4)]
+    low, width = Fraction(0), Fraction(1)
+    for below, frequency, total in slots:
+        low, width = low + width * below / total, width * frequency / total
+    bits = 18
+    number = Fraction(0x4EC080 >> 24 - bits, 1 << bits)
+    assert low <= number < number + Fraction(1, 1 << bits) <= low + width
+    assert section("HAND", bytes.fromhex("12 4e c0 80")) in _encoded(TORUS)
 
 
 def test_handle_data_of_the_annulus() -> None:
-    """(boundary, 0, 4, right): 2, then 4 folded to 8. Clause: FILE-HAND-2."""
-    assert section("HAND", bytes.fromhex("02 08")) in _encoded(ANNULUS)
+    """(0, boundary, right, 2) for six symbols, three sizes: 1/3, 1/2, 1/2, 1/3 and a digit.
+
+    That is from 15/72 to 16/72. Both begin with 0011; then the ends are 24/72 and 40/72: a central
+    half is taken, and 0 and twice 1 end the bits. Clauses: FILE-HAND-1, CODE-HAND-4.
+    """
+    assert section("HAND", bytes.fromhex("07 36")) in _encoded(ANNULUS)
 
 
 def _encoded(surface: object) -> bytes:

@@ -20,7 +20,7 @@ HOSTILE = {
     "vertices": file(("HEAD", f"01 01 04 {MANY} 00 03 00"), ("WORD", WORD)),
     "components": file(("HEAD", f"01 01 04 04 {MANY} 03 00"), ("WORD", WORD)),
     "symbols": file(("HEAD", f"02 01 {MANY} {MANY} 00 {MANY} 00"), ("WORD", WORD)),
-    "records": file(("HEAD", f"01 01 04 04 00 03 {MANY}"), ("HAND", "0000"), ("WORD", WORD)),
+    "records": file(("HEAD", f"01 01 04 04 00 03 {MANY}"), ("HAND", "00"), ("WORD", WORD)),
     "bits": file(("HEAD", "01 01 04 04 00 03 00"), ("WORD", "ff ff ff ff ff 1f bc")),
     "exact": file(
         ("HEAD", f"01 03 04 {MANY} 00 03 00"), ("WORD", WORD), ("POSN", "00 00 00 00 00 00 00 00")

@@ -7,7 +7,7 @@ from clers.container.file import decode
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Fault, Reason
 from clers.conventions.result import Rejected
-from clers.conventions.where import AtByte
+from clers.conventions.where import WHOLE, AtByte, AtSymbol
 
 MALFORMED = {
     "empty": (b"", Reason.TRUNCATED_FILE, Clause.FILE_LAYOUT_3, AtByte(0)),
@@ -100,27 +100,23 @@ MALFORMED = {
         Clause.FILE_COUNT_2,
         AtByte(44, "WORD"),
     ),
-    "more-records-than-bytes": (
-        file(("HEAD", "01 01 04 04 00 03 02"), ("HAND", "00 00 00"), ("WORD", WORD)),
+    "more-records-than-symbols": (
+        file(("HEAD", "01 01 04 04 00 03 04"), ("HAND", "00"), ("WORD", WORD)),
         Reason.IMPOSSIBLE_COUNT,
         Clause.FILE_COUNT_1,
         AtByte(44, "HAND"),
     ),
-    "record-before-the-first-symbol": (
-        file(("HEAD", "01 01 04 04 00 03 01"), ("HAND", "00 01"), ("WORD", WORD)),
-        Reason.BAD_NUMBER,
-        Clause.FILE_HAND_3,
-        AtByte(44, "HAND"),
+    "records-without-bits": (
+        file(("HEAD", "01 01 04 04 00 03 03"), ("HAND", "00"), ("WORD", WORD)),
+        Reason.TRUNCATED_BITS,
+        Clause.ARITH_STRICT_2,
+        AtSymbol(0),
     ),
-    "record-far-away": (
-        file(
-            ("HEAD", "01 01 04 04 00 03 02"),
-            ("HAND", "fc ff ff ff 3f 00 00 00"),
-            ("WORD", WORD),
-        ),
-        Reason.BAD_NUMBER,
-        Clause.FILE_HAND_3,
-        AtByte(44, "HAND"),
+    "bits-of-more-records": (
+        file(("HEAD", "01 01 04 04 00 03 01"), ("HAND", "07 04"), ("WORD", WORD)),
+        Reason.TRAILING_BITS,
+        Clause.ARITH_STRICT_3,
+        WHOLE,
     ),
     "bits-not-filled-with-zeros": (
         file(("HEAD", HEAD), ("WORD", "06 bd")),
@@ -148,7 +144,7 @@ def test_malformed(name: str) -> None:
     """The reason, clause and byte of each; all of class `malformed`.
 
     Clauses: FILE-PARSE-1, FILE-SECTION-4, FILE-SECTION-5, FILE-COUNT-1, FILE-COUNT-2,
-    FILE-HAND-3, FILE-BITS-1, FILE-NUMBER-1.
+    FILE-HAND-1, FILE-HAND-2, FILE-BITS-1, FILE-NUMBER-1.
     """
     data, reason, clause, where = MALFORMED[name]
     found = decode(data)
@@ -220,6 +216,11 @@ INVALID = {
         ),
         Clause.GEOM_LATTICE_1,
     ),
+    "record-without-an-s": (
+        # One closing of all zeros for three symbols: 1/2 four times, so 0000 and 01.
+        file(("HEAD", "01 01 04 04 00 03 01"), ("HAND", "06 04"), ("WORD", WORD)),
+        Clause.CODE_HAND_3,
+    ),
     "unfinished-word": (
         file(("HEAD", "01 01 02 04 01 02 00"), ("WORD", "06 b4")),
         Clause.EB_GRAMMAR_3,
@@ -248,18 +249,42 @@ TWICE_WRONG = {
         Clause.FILE_SECTION_4,
     ),
     "seal-then-head": (
-        file(("HEAD", "09"), ("WORD", WORD))[:-1] + b"\0",
+        file(("HEAD", "ff"), ("WORD", WORD))[:-1] + b"\0",
         Clause.FILE_SECTION_2,
     ),
-    "head-then-presence": (file(("HEAD", "09")), Clause.FILE_NUMBER_5),
+    "head-then-presence": (file(("HEAD", "ff")), Clause.FILE_NUMBER_5),
     "limit-then-presence": (file(("HEAD", "01 01 81 80 80 20 04 00 03 00")), Clause.FILE_LIMIT_2),
     "presence-then-word": (
         file(("HEAD", "01 01 04 04 00 03 01"), ("WORD", "06 bd")),
         Clause.FILE_SECTION_5,
     ),
     "handles-then-word": (
-        file(("HEAD", "01 01 04 04 00 03 01"), ("HAND", "00"), ("WORD", "06 bd")),
+        file(("HEAD", "01 01 04 04 00 03 01"), ("HAND", "01"), ("WORD", "06 bd")),
+        Clause.FILE_LAYOUT_3,
+    ),
+    "word-then-symbols": (
+        file(("HEAD", "01 01 04 04 00 08 09"), ("HAND", "00"), ("WORD", "06 bd")),
+        Clause.ARITH_BITS_3,
+    ),
+    "symbols-then-records": (
+        file(("HEAD", "01 01 04 04 00 08 09"), ("HAND", "00"), ("WORD", WORD)),
+        Clause.FILE_COUNT_2,
+    ),
+    "records-then-handle-data": (
+        file(("HEAD", "01 01 04 04 00 03 04"), ("HAND", "00"), ("WORD", WORD)),
         Clause.FILE_COUNT_1,
+    ),
+    "handle-data-then-code": (
+        file(("HEAD", "01 01 04 04 00 03 01"), ("HAND", "00"), ("WORD", "05 b8")),
+        Clause.ARITH_STRICT_2,
+    ),
+    "code-then-records": (
+        file(("HEAD", "01 01 04 04 00 03 01"), ("HAND", "06 04"), ("WORD", "05 b8")),
+        Clause.CODE_PLAIN_2,
+    ),
+    "records-then-positions": (
+        file(("HEAD", "01 02 04 04 00 03 01"), ("HAND", "06 04"), ("WORD", WORD), ("POSN", "")),
+        Clause.CODE_HAND_3,
     ),
     "word-then-positions": (
         file(("HEAD", "01 02 04 04 00 03 00"), ("WORD", "06 bd"), ("POSN", "")),

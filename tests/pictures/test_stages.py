@@ -207,7 +207,7 @@ def test_too_many_triangles() -> None:
     assert isinstance(drawable(done[:-1]), Accepted)
 
 
-@pytest.mark.parametrize("figure", [11, 12])
+@pytest.mark.parametrize("figure", [9, 10, 11, 12, 13])
 def test_the_figures_of_the_page(figure: int) -> None:
     """The committed pictures have a panel for each line of their scripts, with its words."""
     folder = Path(__file__).parents[2] / "spec" / "pictures"

@@ -2,10 +2,15 @@
 
 import typer
 
+from clers.cli import bits
 from clers.cli.meshes import AsJson
 from clers.cli.output import json, line, progress, table
 
-app = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Measure time and memory.")
+app = typer.Typer(
+    no_args_is_help=True, rich_markup_mode=None, help="Measure bits, time and memory."
+)
+app.command()(bits.bits)
+app.command()(bits.bounds)
 
 
 @app.command()

@@ -14,6 +14,7 @@ from clers.cli import (
     bench,
     complexes,
     corpus,
+    generate,
     laws,
     meshes,
     operators,
@@ -46,6 +47,7 @@ app.command(name="complex")(complexes.complex_of)
 app.add_typer(adapter.app, name="adapter")
 app.add_typer(bench.app, name="bench")
 app.add_typer(corpus.app, name="corpus")
+app.add_typer(generate.app, name="generate")
 app.add_typer(laws.app, name="laws")
 app.add_typer(operators.app, name="operators")
 app.add_typer(spec.app, name="spec")

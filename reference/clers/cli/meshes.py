@@ -35,7 +35,9 @@ def _accuracy(positions: str) -> "Accuracy":
 def encode(
     mesh: Mesh,
     out: Annotated[Path, typer.Option("--out", "-o", help="The .clers file to write.")],
-    code: Annotated[str, typer.Option(help="The code of the word; --help of info says what each promises.")] = "golden",
+    code: Annotated[
+        str, typer.Option(help="The code of the word; `clers info` says what it promises.")
+    ] = "best",
     positions: Annotated[
         str, typer.Option(help="exact, qN (N bits an axis, 1 to 30), or none.")
     ] = "exact",
@@ -64,7 +66,7 @@ def encode(
         )
         step("writing")
         taken(write_bytes(out, data), out, as_json=as_json)
-    view = file_view(taken(file.inspect(data), out), len(data))
+    view = file_view(taken(file.inspect(data), out), len(data), given.surface)
     if as_json:
         json(view)
     else:
@@ -113,7 +115,8 @@ def info(mesh: Mesh, as_json: AsJson = False) -> None:
         described: FileView | None = None
         if mesh.suffix.lower() == SUFFIX:
             data = taken(contents(mesh), mesh, as_json=as_json)
-            described = file_view(taken(inspect(data), mesh, as_json=as_json), len(data))
+            found = taken(inspect(data), mesh, as_json=as_json)
+            described = file_view(found, len(data), given.surface)
         step("counting")
         view = info_view(given.surface, described)
     if as_json:
@@ -130,6 +133,8 @@ def _print_info(path: Path, view: "InfoView") -> None:
             f"version {f.version}, {f.bytes} bytes, code {f.code}, positions {f.positions}, "
             f"{f.symbols} symbols, {f.records} records, {f.components_with_boundary} with boundary"
         )
+        most = "does not apply here" if f.most_bits is None else f"{f.most_bits} bits here"
+        line(f"guarantee of {f.code}: {f.guarantee}; {most}")
         table(["section", "bytes"], [[s.tag, s.bytes] for s in f.sections])
     shown = view.components[:20]
     rows = [

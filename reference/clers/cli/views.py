@@ -5,6 +5,7 @@ The schemas in spec/schemas/ are made from these classes by `clers schema`. Clau
 
 from dataclasses import dataclass
 
+from clers.codes.registry import CODES
 from clers.complexes.surface import Surface
 from clers.complexes.topology import Component, components
 from clers.container.file import Description
@@ -39,6 +40,8 @@ class FileView:
     version: int
     bytes: int
     code: str
+    guarantee: str
+    most_bits: int | None
     positions: str
     symbols: int
     records: int
@@ -87,13 +90,16 @@ def info_view(surface: Surface, file: FileView | None = None) -> InfoView:
     return InfoView(surface.vertices, surface.faces, parts, file)
 
 
-def file_view(description: Description, size: int) -> FileView:
-    """A file in numbers."""
+def file_view(description: Description, size: int, surface: Surface) -> FileView:
+    """A file in numbers, with what the code of its word promises for its surface."""
     head = description.head
+    promise = CODES[head.code].guarantee
     return FileView(
         description.version,
         size,
         str(head.code),
+        promise.text,
+        promise.bits(components(surface)),
         str(head.positions),
         head.symbols,
         head.records,

@@ -35,7 +35,10 @@ class Closing:
 
 
 def closings(stream: Stream) -> Accepted[tuple[Closing, ...]] | Rejected:
-    """The handle data from the last record to the first. Linear. Clauses: CODE-HAND-1, -2."""
+    """The handle data from the last record to the first.
+
+    Linear. Clauses: CODE-HAND-1, CODE-HAND-2.
+    """
     word, waiting = stream.word, list(stream.records)
     s, at = word.count("S"), _closers(word)
     edges: dict[Side, dict[int, int]] = {Side.RIGHT: {}, Side.LEFT: {}}  # `at` to its place

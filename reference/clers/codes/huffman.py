@@ -37,7 +37,10 @@ def _lengths(symbols: str) -> Lengths:
 
 
 def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
-    """The table of lengths, then the codewords. Linear. Clauses: CODE-HUFFMAN-1, -2, -4."""
+    """The table of lengths, then the codewords.
+
+    Linear. Clauses: CODE-HUFFMAN-1, CODE-HUFFMAN-2, CODE-HUFFMAN-4.
+    """
     del shape
     stranger = next((i for i, x in enumerate(symbols) if x not in NUMBER), None)
     if stranger is not None:

@@ -7,7 +7,13 @@ from clers.codes import golden, plain
 from clers.codes.closings import closings, records
 from clers.codes.code import NOTHING
 from clers.codes.implied import implied
+from clers.codes.laws_best import LAWS as BEST
+from clers.codes.laws_context import LAWS as CONTEXT
+from clers.codes.laws_enumerative import LAWS as ENUMERATIVE
+from clers.codes.laws_guarantees import LAWS as GUARANTEES
+from clers.codes.laws_handles import LAWS as HANDLES
 from clers.codes.laws_learning import LAWS as LEARNING
+from clers.codes.laws_trees import LAWS as TREES
 from clers.codes.registry import CODES, PARTIAL, CodeName, decode, encode, most_symbols
 from clers.complexes.given import SPHERES, SURFACES
 from clers.complexes.surface import Surface
@@ -186,6 +192,12 @@ def _of_code(code: CodeName) -> tuple[AnyLaw, ...]:
 LAWS: Final[tuple[AnyLaw, ...]] = (
     *(law for code in CodeName for law in _of_code(code)),
     *LEARNING,
+    *BEST,
+    *HANDLES,
+    *CONTEXT,
+    *TREES,
+    *ENUMERATIVE,
+    *GUARANTEES,
     Law(
         "implied-c",
         Clause.CODE_IMPLIED_1,

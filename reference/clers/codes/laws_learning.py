@@ -93,7 +93,7 @@ def huffman_within_plain(surface: Surface) -> Verdict:
     head, rest = _parts(surface)
     found, other = huffman.encode(rest, Shape(head)), plain.encode(rest)
     if isinstance(found, Rejected) or isinstance(other, Rejected):
-        return Fails("bits in both", (found, other), WHOLE)
+        return Fails("bits in both", "a rejection", WHOLE)
     return at_most(other.value.length + 15, found.value.length, "bits")
 
 

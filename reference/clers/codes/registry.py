@@ -5,7 +5,17 @@ from enum import StrEnum
 from typing import Final
 
 from clers.arithmetic.bits import Bits
-from clers.codes import adaptive, golden, huffman, plain
+from clers.codes import (
+    adaptive,
+    best,
+    context,
+    enumerative,
+    golden,
+    huffman,
+    king_rossignac,
+    minimax,
+    plain,
+)
 from clers.codes.closings import Closing, closings
 from clers.codes.code import Code, Shape
 from clers.codes.implied import coded_part, implied
@@ -19,24 +29,38 @@ class CodeName(StrEnum):
     """The codes. Clause: CODE-NAME-1."""
 
     PLAIN = "plain"
+    KING_ROSSIGNAC = "king-rossignac"
     GOLDEN = "golden"
+    MINIMAX_3 = "minimax-3"
+    MINIMAX_8 = "minimax-8"
+    ENUMERATIVE = "enumerative"
     HUFFMAN = "huffman"
     ADAPTIVE_1 = "adaptive-1"
     ADAPTIVE_3 = "adaptive-3"
     ADAPTIVE_6 = "adaptive-6"
+    CONTEXT = "context"
+    BEST = "best"
 
 
 CODES: Final[Mapping[CodeName, Code]] = {
     CodeName.PLAIN: plain.CODE,
+    CodeName.KING_ROSSIGNAC: king_rossignac.CODE,
     CodeName.GOLDEN: golden.CODE,
+    CodeName.MINIMAX_3: minimax.code(minimax.MINIMAX_3),
+    CodeName.MINIMAX_8: minimax.code(minimax.MINIMAX_8),
+    CodeName.ENUMERATIVE: enumerative.CODE,
     CodeName.HUFFMAN: huffman.CODE,
     CodeName.ADAPTIVE_1: adaptive.code(1),
     CodeName.ADAPTIVE_3: adaptive.code(3),
     CodeName.ADAPTIVE_6: adaptive.code(6),
+    CodeName.CONTEXT: context.CODE,
+    CodeName.BEST: best.CODE,
 }
 """What each name stands for. Clause: CODE-NAME-1."""
 
-PARTIAL: Final[frozenset[CodeName]] = frozenset()
+PARTIAL: Final[frozenset[CodeName]] = frozenset(
+    {CodeName.MINIMAX_3, CodeName.MINIMAX_8, CodeName.ENUMERATIVE}
+)
 """Codes that refuse some surfaces, as `not-representable`. Clause: CODE-NAME-5."""
 
 

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import Final, assert_never
 
 from clers.arithmetic.bits import Bits
-from clers.codes import registry
-from clers.container.handles import handles
+from clers.codes import handle_data, registry
+from clers.codes.closings import Closing, closings, records
 from clers.container.head import HEAD, Head, PositionCoding, over_limits
 from clers.container.layout import Window, pair, read, write
 from clers.container.limits import DEFAULT_FILE_LIMITS, FileLimits
@@ -16,7 +16,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
 from clers.conventions.where import AtByte
-from clers.edgebreaker.stream import Record, Stream
+from clers.edgebreaker.stream import Stream
 from clers.geometry import exact
 from clers.geometry.positions import Positions, Precision
 from clers.geometry.quantised import Coded
@@ -75,10 +75,11 @@ def compose(contents: Contents) -> Accepted[bytes] | Rejected:
     """The file with these contents. Clauses: FILE-MAGIC-1 … FILE-SECTION-5, FILE-COUNT-3."""
     stream = contents.stream
     word = registry.encode(contents.code, stream)
-    return and_then(word, lambda bits: _compose(contents, bits))
+    seen = and_then(closings(stream), lambda c: handle_data.encode(c, len(stream.word)))
+    return and_then(word, lambda bits: and_then(seen, lambda h: _compose(contents, bits, h)))
 
 
-def _compose(contents: Contents, word: Bits) -> Accepted[bytes] | Rejected:
+def _compose(contents: Contents, word: Bits, handles: Bits) -> Accepted[bytes] | Rejected:
     stream, stored = contents.stream, contents.stored
     head = Head(
         contents.code,
@@ -91,7 +92,7 @@ def _compose(contents: Contents, word: Bits) -> Accepted[bytes] | Rejected:
     )
     payloads = [("HEAD", write(HEAD, head))]
     if stream.records:
-        payloads.append(("HAND", write(handles(len(stream.records)), stream.records)))
+        payloads.append(("HAND", write(BITS, handles)))
     payloads.append(("WORD", write(BITS, word)))
     match stored:
         case Positions():
@@ -163,31 +164,47 @@ def parse(data: bytes, limits: FileLimits = DEFAULT_FILE_LIMITS) -> Accepted[Con
 
 
 def _parse(opened: Opened) -> Accepted[Contents] | Rejected:
-    records: Accepted[tuple[Record, ...]] | Rejected = Accepted(())
-    if opened.head.records:
-        records = read(handles(opened.head.records), *opened.window("HAND"))
-    return and_then(records, lambda rs: _parse_word(opened, rs))
+    """Clauses: FILE-HAND-1, FILE-WORD-1, FILE-PARSE-1."""
+    nothing = Accepted(Bits(b"", 0))
+    hand = read(BITS, *opened.window("HAND")) if opened.head.records else nothing
+    word = and_then(hand, lambda _: read(BITS, *opened.window("WORD")))
+    return and_then(hand, lambda h: and_then(word, lambda w: _parse_bits(opened, h, w)))
 
 
-def _parse_word(opened: Opened, records: tuple[Record, ...]) -> Accepted[Contents] | Rejected:
-    """Clauses: FILE-WORD-1, FILE-COUNT-2."""
+def _parse_bits(opened: Opened, hand: Bits, word: Bits) -> Accepted[Contents] | Rejected:
+    """Counts before bits, handle data before the word. Clauses: FILE-COUNT-1, FILE-COUNT-2."""
     head = opened.head
-    window, start = opened.window("WORD")
-    bits = read(BITS, window, start)
-    if isinstance(bits, Rejected):
-        return bits
-    if head.symbols > registry.most_symbols(head.code, bits.value.length):
-        detail = f"{head.symbols} symbols in {bits.value.length} bits"
+    if head.symbols > registry.most_symbols(head.code, word.length):
+        window, start = opened.window("WORD")
+        detail = f"{head.symbols} symbols in {word.length} bits"
         where = window.at(start)
         return Rejected(Reason.IMPOSSIBLE_COUNT, Clause.FILE_COUNT_2, where, detail)
-    components = head.components_with_boundary
-    word = registry.decode(head.code, bits.value, head.symbols, components)
+    if head.records > head.symbols:
+        window, start = opened.window("HAND")
+        detail = f"{head.records} records for {head.symbols} symbols"
+        where = window.at(start)
+        return Rejected(Reason.IMPOSSIBLE_COUNT, Clause.FILE_COUNT_1, where, detail)
+    seen: Accepted[tuple[Closing, ...]] | Rejected = Accepted(())
+    if head.records:
+        seen = handle_data.decode(hand, head.records, head.symbols)
+    return and_then(seen, lambda found: _parse_word(opened, word, found))
+
+
+def _parse_word(
+    opened: Opened, bits: Bits, seen: tuple[Closing, ...]
+) -> Accepted[Contents] | Rejected:
+    """Clauses: FILE-HAND-2, FILE-WORD-1."""
+    head, components = opened.head, opened.head.components_with_boundary
+    word = registry.decode(head.code, bits, head.symbols, components, seen)
     if isinstance(word, Rejected):
         return word
+    known = records(word.value, seen)
+    if isinstance(known, Rejected):
+        return known
     stored = _parse_positions(opened)
     if isinstance(stored, Rejected):
         return stored
-    stream = Stream(word.value, records, components)
+    stream = Stream(word.value, known.value, components)
     return Accepted(Contents(head.code, head.faces, head.vertices, stream, stored.value))
 
 

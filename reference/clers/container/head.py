@@ -20,6 +20,12 @@ CODES: Final = (
     CodeName.ADAPTIVE_1,
     CodeName.ADAPTIVE_3,
     CodeName.ADAPTIVE_6,
+    CodeName.KING_ROSSIGNAC,
+    CodeName.MINIMAX_3,
+    CodeName.MINIMAX_8,
+    CodeName.CONTEXT,
+    CodeName.ENUMERATIVE,
+    CodeName.BEST,
 )
 """The codes of the word, numbered from 1. Clause: FILE-HEAD-2."""
 

@@ -3,7 +3,6 @@
 from typing import Final, TypeVar
 
 from clers.container.given import NUMBERS, RAW_BYTES
-from clers.container.handles import DIFFERENCE
 from clers.container.head import CODES, PositionCoding
 from clers.container.layout import Layout, Window, dependent, pair, read, renamed, times, write
 from clers.container.numbers import REST, U8, U32, one_of, raw, signed, varint
@@ -48,7 +47,7 @@ def every_layout_canonical(data: bytes) -> Verdict:
         _canonical(times(3, varint(9)), data),
         _canonical(dependent(U8, lambda n: times(n % 4, varint(16))), data),
         _canonical(renamed(U8, lambda n: Accepted(n + 1), lambda n: n - 1), data),
-        _canonical(DIFFERENCE, data),
+        _canonical(pair(varint(34), signed(33)), data),
         _canonical(BITS, data),
         _canonical(LATTICE, data),
     )

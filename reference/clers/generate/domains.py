@@ -29,6 +29,8 @@ from clers.generate import (
     streams,
     structures,
     surfaces,
+    tree_words,
+    uniform,
 )
 
 DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
@@ -55,6 +57,8 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **sheets.DOMAINS,
     **attachments.DOMAINS,
     **requests.DOMAINS,
+    **uniform.DOMAINS,
+    **tree_words.DOMAINS,
 }
 
 

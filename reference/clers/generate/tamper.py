@@ -9,17 +9,18 @@ from random import Random
 from typing import Final
 
 from clers.arithmetic.bits import pack
+from clers.codes.closings import SIDES, closings
+from clers.codes.handle_data import encode as encode_handles
 from clers.codes.registry import CodeName
 from clers.codes.registry import encode as encode_word
 from clers.container.contents import MAGIC
-from clers.container.handles import handles
 from clers.container.head import HEAD, Head, PositionCoding
 from clers.container.layout import Window, read, write
 from clers.container.numbers import varint
 from clers.container.places import BITS
 from clers.container.section import SECTION, sections
-from clers.conventions.result import Accepted
-from clers.edgebreaker.stream import SYMBOLS, Kind, Record, Side, Stream
+from clers.conventions.result import Accepted, and_then
+from clers.edgebreaker.stream import SYMBOLS, Kind, Record, Stream
 
 Part = tuple[bytes, bytes]
 """The tag and the payload of a section."""
@@ -130,22 +131,26 @@ def grammatical(data: bytes, random: Random) -> bytes:
     """
     size = random.choice((1, 3, 5, 7, 9, 12, 16, 24))
     word = "C" * random.randrange(2) + "".join(random.choices(SYMBOLS, (9, 2, 3, 5, 3), k=size))
-    splits, closers = word.count("S"), max(1, sum(word.count(x) for x in "RLE"))
-    records = tuple(
-        Record(random.choice(tuple(Kind)), s, random.randrange(closers), random.choice(tuple(Side)))
-        for s in range(splits)
-        if random.randrange(2)
-    )
+    edges = [(i, side) for i, symbol in enumerate(word) for side in SIDES[symbol]]
+    records: tuple[Record, ...] = ()
+    for s, i in enumerate(i for i, symbol in enumerate(word) if symbol == "S"):
+        after = [edge for edge in edges if edge[0] > i]
+        if after and random.randrange(2):
+            closer, side = random.choice(after)
+            at = sum(word[:closer].count(x) for x in "RLE")
+            records += (Record(random.choice(tuple(Kind)), s, at, side),)
     code = random.choice(tuple(CodeName))
     components = random.choice((0, 0, 1, 1, 2))
-    bits = encode_word(code, Stream(word, records, components))
-    if not isinstance(bits, Accepted):
+    stream = Stream(word, records, components)
+    bits = encode_word(code, stream)
+    handles = and_then(closings(stream), lambda seen: encode_handles(seen, len(word)))
+    if not isinstance(bits, Accepted) or not isinstance(handles, Accepted):
         return data
     faces = len(word) + random.randrange(2)
     head = Head(
         code, PositionCoding.NONE, faces, faces // 2 + 2, components, len(word), len(records)
     )
-    hand = [(b"HAND", write(handles(len(records)), records))] if records else []
+    hand = [(b"HAND", write(BITS, handles.value))] if records else []
     parts = [(b"HEAD", write(HEAD, head)), *hand, (b"WORD", write(BITS, bits.value))]
     return joined(data[:PROLOGUE], parts)
 
@@ -159,7 +164,7 @@ def noisy(data: bytes, random: Random) -> bytes:
     tag = parts[i][0]
     count = random.randrange(200)
     bits = pack(random.randrange(2) for _ in range(count))
-    payload = write(BITS, bits) if tag == b"WORD" else random.randbytes(len(parts[i][1]))
+    payload = write(BITS, bits) if tag in (b"HAND", b"WORD") else random.randbytes(len(parts[i][1]))
     parts[i] = (tag, payload)
     return joined(data[:PROLOGUE], parts)
 

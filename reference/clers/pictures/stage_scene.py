@@ -50,7 +50,7 @@ def stage_scene(stages: Sequence[Stage], of: Sequence[Seen]) -> Scene:
     ]
     high = size * places.height
     row = high + 2 * GAP + max(map(len, captions)) * FONT * 1.3
-    cell = size + GAP
+    cell = size + 1.6 * GAP
     groups: list[Group] = []
     for k, now in enumerate(of):
         down, right = divmod(k, columns)

@@ -1,0 +1,1 @@
+"""What other people's codes make of the same connectivity."""
