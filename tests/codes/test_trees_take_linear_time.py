@@ -1,10 +1,7 @@
 """Tree words there and back take linear time: executed lines are counted, not seconds."""
 
-import sys
 from collections.abc import Callable
 from functools import partial
-from types import FrameType
-from typing import TYPE_CHECKING
 
 import pytest
 
@@ -16,30 +13,7 @@ from clers.complexes.surface import Surface
 from clers.conventions.result import Accepted
 from clers.generate.families import bipyramid
 from clers.generate.uniform import uniform_sphere
-
-if TYPE_CHECKING:
-    from _typeshed import TraceFunction
-
-
-def lines(work: Callable[[], object]) -> int:
-    """How many lines of chapter 6 a piece of work executes."""
-    count = 0
-
-    def on_line(_: FrameType, event: str, __: object) -> "TraceFunction | None":
-        nonlocal count
-        count += event == "line"
-        return on_line
-
-    def on_call(frame: FrameType, _: str, __: object) -> "TraceFunction | None":
-        return on_line if "codes" in frame.f_code.co_filename else None
-
-    before = sys.gettrace()
-    sys.settrace(on_call)
-    try:
-        work()
-    finally:
-        sys.settrace(before)
-    return count
+from counted import lines
 
 
 def hubs(vertices: int) -> Surface:
@@ -66,7 +40,7 @@ def test_lines_grow_with_the_sphere(family: Callable[[int], Surface]) -> None:
     spheres = [family(200), family(1600)]
     words = [tree_word(sphere) for sphere in spheres]
     assert [len(word) // 4 + 3 for word in words] == [200, 1600]
-    there = [lines(partial(tree_word, sphere)) for sphere in spheres]
-    back = [lines(partial(sphere_of, word)) for word in words]
+    there = [lines(partial(tree_word, sphere), "codes") for sphere in spheres]
+    back = [lines(partial(sphere_of, word), "codes") for word in words]
     for few, many in (there, back):
         assert many < 8.5 * few

@@ -4,10 +4,7 @@ Counted are the lines of this package that the interpreter executes. What Python
 line (a slice of fixed length, a pass of `map` over corners) is linear where it is not constant.
 """
 
-import sys
 from collections.abc import Callable
-from types import FrameType
-from typing import TYPE_CHECKING
 
 import pytest
 from golden_complexes import TETRAHEDRON, accepted, beside, grid
@@ -20,41 +17,13 @@ from clers.complexes.repair import drop_isolated, orient, split_pinched
 from clers.complexes.surface import Corner
 from clers.complexes.topology import components, curves
 from clers.conventions.result import Rejected
-
-if TYPE_CHECKING:
-    from _typeshed import TraceFunction
-
-
-def lines(work: Callable[[], object]) -> int:
-    """How many lines of the package's complexes a piece of work executes."""
-    count = 0
-
-    def on_line(_: FrameType, event: str, __: object) -> "TraceFunction | None":
-        nonlocal count
-        count += event == "line"
-        return on_line
-
-    def on_call(frame: FrameType, _: str, __: object) -> "TraceFunction | None":
-        return on_line if "complexes" in frame.f_code.co_filename else None
-
-    before = sys.gettrace()
-    sys.settrace(on_call)
-    try:
-        work()
-    finally:
-        sys.settrace(before)
-    return count
+from clers.generate.families import bipyramid
+from counted import lines
 
 
 def fan(n: int) -> FaceList:
     """n triangles about vertex 0, open: a hub on the boundary."""
     return FaceList(tuple((0, i, i + 1) for i in range(1, n + 1)), n + 2)
-
-
-def bipyramid(n: int) -> FaceList:
-    """Two hubs of valence n."""
-    ring = [(i, (i + 1) % n) for i in range(n)]
-    return FaceList((*((i, j, n) for i, j in ring), *((j, i, n + 1) for i, j in ring)), n + 2)
 
 
 def strip(n: int) -> FaceList:
@@ -105,7 +74,7 @@ BAD: tuple[Family, ...] = (shuffled_strip, daisy, book, twins, lonely)
 
 def assert_linear(work: Callable[[int], Callable[[], object]]) -> None:
     """Twice as much to do takes no more than twice the lines, but for one in a hundred."""
-    small, large = lines(work(60)), lines(work(120))
+    small, large = lines(work(60), "complexes"), lines(work(120), "complexes")
     assert 60 < small < large <= 2.02 * small
 
 
