@@ -139,6 +139,8 @@ class Caps(Struct, frozen=True, forbid_unknown_fields=True):
     max_faces: form.Count
     max_symbols: form.Count
     trace: tuple[str, ...] = ()
+    codes: tuple[str, ...] = ()
+    coders: tuple[str, ...] = ()
 
 
 class Introduction(Struct, frozen=True, forbid_unknown_fields=True):

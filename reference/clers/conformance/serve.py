@@ -1,10 +1,11 @@
 """The reference as an adapter: a request to its replies, and nothing else. Pure."""
 
-from typing import Final, assert_never
+from typing import Final, assert_never, get_args
 
 import msgspec
 
 from clers import SPEC_VERSION, __version__
+from clers.codes.registry import CodeName
 from clers.complexes.face_list import DEFAULT_LIMITS
 from clers.conformance import messages as message
 from clers.conformance import payloads as form
@@ -45,6 +46,8 @@ INTRODUCTION: Final = Introduction(
         max_faces=DEFAULT_LIMITS.faces,
         max_symbols=MAX_SYMBOLS,
         trace=("word.encode", "word.decode"),
+        codes=tuple(map(str, CodeName)),
+        coders=get_args(form.CoderName),
     ),
     {"specification": SPEC_VERSION},
 )

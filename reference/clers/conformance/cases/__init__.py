@@ -1,0 +1,1 @@
+"""Cases: one request each, and what is right to answer."""

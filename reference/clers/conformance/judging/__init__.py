@@ -1,0 +1,1 @@
+"""Judging: an outcome beside what was right, and where the two part."""
