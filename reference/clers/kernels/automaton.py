@@ -1,0 +1,69 @@
+"""Coding with an automaton: a fixed table in each of a few contexts. Clause: INFO-AUTOMATON-1."""
+
+from librt.strings import BytesWriter
+from librt.vecs import vec
+from mypy_extensions import i64
+
+from clers.kernels.interval import Decoder, Encoder
+
+
+class Tables:
+    """The tables of all contexts one after another: of context q symbol s at q·(size + 1) + s.
+
+    `cumulative`: the cumulative frequencies, size + 1 of them; `after`: the context after each
+    symbol, with one entry too many. All totals are from 1 to 2^30.
+    """
+
+    def __init__(self, size: i64, cumulative: vec[i64], after: vec[i64]) -> None:
+        self.size = size
+        self.cumulative = cumulative
+        self.after = after
+
+
+def encoded(tables: Tables, context: i64, symbols: bytes, to: Encoder) -> i64:
+    """Write symbols; the place of the first that has no frequency there, or -1. Linear.
+
+    Clauses: ARITH-ENCODE-1, INFO-AUTOMATON-1; INFO-MODEL-5 for what cannot be written.
+    """
+    row: i64 = tables.size + 1
+    cumulative = tables.cumulative
+    n: i64 = len(symbols)
+    i: i64 = 0
+    while i < n:
+        symbol: i64 = symbols[i]
+        if symbol >= tables.size:
+            return i
+        at: i64 = context * row + symbol
+        below: i64 = cumulative[at]
+        upto: i64 = cumulative[at + 1]
+        if below == upto:
+            return i
+        to.narrow(below, upto, cumulative[context * row + tables.size])
+        context = tables.after[at]
+        i += 1
+    return -1
+
+
+def decoded(tables: Tables, context: i64, count: i64, longest: i64, of: Decoder) -> bytes:
+    """The next `count` symbols; fewer if they would take more than `longest` bits. Linear.
+
+    Clauses: ARITH-DECODE-1, ARITH-DECODE-2, ARITH-STRICT-2, INFO-AUTOMATON-1.
+    """
+    row: i64 = tables.size + 1
+    cumulative = tables.cumulative
+    out = BytesWriter()
+    i: i64 = 0
+    while i < count:
+        base: i64 = context * row
+        total: i64 = cumulative[base + tables.size]
+        target: i64 = of.target(total)
+        symbol: i64 = 0
+        while cumulative[base + symbol + 1] <= target:
+            symbol += 1
+        of.narrow(cumulative[base + symbol], cumulative[base + symbol + 1], total)
+        if of.length > longest:
+            break
+        out.append(symbol)
+        context = tables.after[base + symbol]
+        i += 1
+    return out.getvalue()

@@ -1,0 +1,185 @@
+"""The walk of compression over a corner table: Algorithms 3, 4 and 5 of the tutorial.
+
+Everything counts corners, faces, vertices or symbols, so nothing comes near 2^63.
+"""
+
+from typing import Final
+
+from librt.strings import BytesWriter
+from librt.vecs import append, vec
+from mypy_extensions import i64
+
+from clers.kernels.flat import zeros
+
+C: Final = 67
+L: Final = 76
+E: Final = 69
+R: Final = 82
+S: Final = 83
+
+UNSEEN: Final = 0
+ON_CURVE: Final = 1
+MARKED: Final = 2
+
+
+class Walk:
+    """What the walk has seen and written so far; private and mutable, never seen from outside.
+
+    `visited[t]`: 0, or 1, or 2 + s of the face of S number s. `mark[v]`: UNSEEN; ON_CURVE, of a
+    curve not reached; MARKED, on a visited face or on a curve reached. Of S number s: `left_of`
+    its left corner, `reaches` whether it reached a curve, `closed` 2·(closers before) + 1 if its
+    left edge was closed as a left edge, + 0 as a right one, or -1.
+    """
+
+    def __init__(self, vertex: vec[i64], opposite: vec[i64], vertices: i64) -> None:
+        corners: i64 = len(vertex)
+        self.vertex = vertex
+        self.opposite = opposite
+        self.visited = zeros(corners // 3)
+        self.mark = zeros(vertices)
+        c: i64 = 0
+        while c < corners:
+            if opposite[c] < 0:
+                self.mark[vertex[c - 2 if c % 3 == 2 else c + 1]] = ON_CURVE
+            c += 1
+        self.word = BytesWriter()
+        self.order = vec[i64](capacity=vertices)
+        self.tips = vec[i64](capacity=corners // 3)
+        self.left_of = vec[i64]()
+        self.reaches = vec[i64]()
+        self.closed = vec[i64]()
+        self.closers: i64 = 0
+        self.stack = vec[i64]()
+
+    def reach_curve(self, corner: i64) -> None:
+        """Mark the vertices of a curve, from a corner's vertex on. Clauses: EB-ORDER-2, -CURVE."""
+        opposite = self.opposite
+        c = outgoing(opposite, corner)
+        start = c
+        while True:
+            v: i64 = self.vertex[c]
+            self.mark[v] = MARKED
+            self.order = append(self.order, v)
+            c = outgoing(opposite, c - 2 if c % 3 == 2 else c + 1)
+            if c == start:
+                return
+
+    def visit_root(self, corner: i64) -> None:
+        """P: visited without a symbol. Clause: EB-COMPONENT-2."""
+        self.visited[corner // 3] = 1
+        self.tips = append(self.tips, corner)
+        k: i64 = 0
+        while k < 3:
+            v: i64 = self.vertex[corner + k]
+            self.mark[v] = MARKED
+            self.order = append(self.order, v)
+            k += 1
+
+    def close(self, across: i64, left: i64) -> None:
+        """Algorithm 5: is the closed edge the left edge of an S? Clauses: EB-HANDLE-1 … -4."""
+        if across < 0:
+            return
+        s: i64 = self.visited[across // 3] - 2
+        if s >= 0 and self.left_of[s] == across:
+            self.closed[s] = 2 * self.closers + left
+
+    def traverse(self, gate: i64) -> None:
+        """Algorithm 3, from one gate until the stack is empty. Clauses: EB-TRAVERSE-1 … -7."""
+        vertex = self.vertex
+        opposite = self.opposite
+        visited = self.visited
+        mark = self.mark
+        word = self.word
+        stack = vec[i64]()
+        height: i64 = 0
+        while True:
+            face: i64 = gate // 3
+            visited[face] = 1
+            self.tips = append(self.tips, gate)
+            v: i64 = vertex[gate]
+            turn: i64 = gate % 3
+            right: i64 = gate - 2 if turn == 2 else gate + 1
+            left: i64 = gate + 2 if turn == 0 else gate - 1
+            right_gate: i64 = opposite[right]
+            left_gate: i64 = opposite[left]
+            if mark[v] == UNSEEN:
+                word.append(C)
+                mark[v] = MARKED
+                self.order = append(self.order, v)
+                gate = right_gate
+                continue
+            right_closed: bool = right_gate < 0 or visited[right_gate // 3] != 0
+            left_closed: bool = left_gate < 0 or visited[left_gate // 3] != 0
+            if not right_closed and not left_closed:
+                word.append(S)
+                visited[face] = 2 + len(self.left_of)
+                self.left_of = append(self.left_of, left)
+                self.closed = append(self.closed, -1)
+                if mark[v] == ON_CURVE:
+                    self.reaches = append(self.reaches, 1)
+                    self.reach_curve(gate)
+                else:
+                    self.reaches = append(self.reaches, 0)
+                if height < len(stack):
+                    stack[height] = left_gate
+                else:
+                    stack = append(stack, left_gate)
+                height += 1
+                gate = right_gate
+                continue
+            if right_closed:
+                self.close(right_gate, 0)
+            if left_closed:
+                self.close(left_gate, 1)
+            self.closers += 1
+            if not left_closed:
+                word.append(R)
+                gate = left_gate
+            elif not right_closed:
+                word.append(L)
+                gate = right_gate
+            else:
+                word.append(E)
+                while height > 0 and visited[stack[height - 1] // 3] != 0:
+                    height -= 1
+                if height == 0:
+                    return
+                height -= 1
+                gate = stack[height]
+
+
+def outgoing(opposite: vec[i64], corner: i64) -> i64:
+    """The corner of the same vertex from which the border leaves along a face's edge.
+
+    Clauses: CPLX-CORNER-4, CPLX-CURVE-1.
+    """
+    c = corner
+    while True:
+        d: i64 = opposite[c + 2 if c % 3 == 0 else c - 1]
+        if d < 0:
+            return c
+        c = d + 2 if d % 3 == 0 else d - 1
+
+
+def walked(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> tuple[Walk, i64]:
+    """The walk over all components, and how many have boundary. Linear.
+
+    Clauses: EB-COMPONENT-1 … EB-COMPONENT-4.
+    """
+    walk = Walk(vertex, opposite, vertices)
+    corners: i64 = len(vertex)
+    with_boundary: i64 = 0
+    c: i64 = 0
+    while c < corners:
+        if opposite[c] < 0 and walk.visited[c // 3] == 0:
+            walk.reach_curve(c - 2 if c % 3 == 2 else c + 1)
+            walk.traverse(c)
+            with_boundary += 1
+        c += 1
+    c = 0
+    while c < corners:
+        if walk.visited[c // 3] == 0:
+            walk.visit_root(c)
+            walk.traverse(opposite[c])
+        c += 3
+    return walk, with_boundary
