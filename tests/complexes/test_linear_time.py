@@ -74,7 +74,7 @@ BAD: tuple[Family, ...] = (shuffled_strip, daisy, book, twins, lonely)
 
 def assert_linear(work: Callable[[int], Callable[[], object]]) -> None:
     """Twice as much to do takes no more than twice the lines, but for one in a hundred."""
-    small, large = lines(work(60), "complexes"), lines(work(120), "complexes")
+    small, large = lines(work(60), "clers/"), lines(work(120), "clers/")
     assert 60 < small < large <= 2.02 * small
 
 

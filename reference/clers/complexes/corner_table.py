@@ -3,20 +3,44 @@
 And back, for a surface is a face list in which every corner knows its opposite.
 """
 
+from itertools import chain
+
+from librt.vecs import vec
+from mypy_extensions import i64
+
 from clers.complexes.face_list import DEFAULT_LIMITS, FaceList, Limits
 from clers.complexes.fans import fans
-from clers.complexes.matching import edges_of, mates
+from clers.complexes.flat_surface import of_flat
+from clers.complexes.matching import bad_counts, edges_of, mates
 from clers.complexes.surface import BORDER, Corner, Surface, Vertex
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
 from clers.conventions.where import AtEdge, AtVertex
+from clers.kernels import table
 
 
 def surface(given: FaceList, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surface] | Rejected:
     """The surface that a face list describes, faces and vertices keeping their numbers.
 
     Linear in faces + vertices. Clauses: CPLX-INPUT-2, CPLX-REJECT-1 … CPLX-REJECT-9.
+    """
+    fault = bad_counts(given, limits)
+    if fault is not None:
+        return fault
+    tips = list(chain.from_iterable(given.faces))
+    if min(tips) >= 0 and max(tips) < given.vertices:
+        vertex = vec[i64](tips)
+        opposite = table.opposites(vertex, given.vertices) if table.distinct(vertex) else vec[i64]()
+        if len(opposite) > 0 and table.one_fan_each(vertex, opposite, given.vertices):
+            return Accepted(of_flat(vertex, opposite, given.vertices))
+    return by_clauses(given, limits)
+
+
+def by_clauses(given: FaceList, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surface] | Rejected:
+    """The same, one clause after another, with the first fault and where it is. Linear.
+
+    Clauses: CPLX-INPUT-2, CPLX-REJECT-1 … CPLX-REJECT-9.
     """
     return and_then(mates(given, limits), lambda mate: _checked(_table(given, mate)))
 
@@ -35,15 +59,15 @@ def _table(given: FaceList, mate: tuple[int, ...]) -> Surface:
     )
 
 
-def _checked(table: Surface) -> Accepted[Surface] | Rejected:
-    fault = _bad_orientation(table) or _bad_stars(table)
-    return Accepted(table) if fault is None else fault
+def _checked(glued: Surface) -> Accepted[Surface] | Rejected:
+    fault = _bad_orientation(glued) or _bad_stars(glued)
+    return Accepted(glued) if fault is None else fault
 
 
-def _bad_orientation(table: Surface) -> Rejected | None:
+def _bad_orientation(glued: Surface) -> Rejected | None:
     """Clause: CPLX-REJECT-7."""
-    tails, heads = edges_of(table.vertex)
-    for c, d in enumerate(table.opposite):
+    tails, heads = edges_of(glued.vertex)
+    for c, d in enumerate(glued.opposite):
         if BORDER < d < c and tails[c] == tails[d]:
             where = AtEdge(tails[c], heads[c], c // 3)
             detail = f"also run so by face {d // 3}"
@@ -51,11 +75,11 @@ def _bad_orientation(table: Surface) -> Rejected | None:
     return None
 
 
-def _bad_stars(table: Surface) -> Rejected | None:
+def _bad_stars(glued: Surface) -> Rejected | None:
     """Each vertex has exactly one fan. Clauses: CPLX-REJECT-8, CPLX-REJECT-9."""
-    count = [0] * table.vertices
-    for c, lowest in enumerate(fans(table.vertex, table.opposite)):
-        count[table.vertex[c]] += c == lowest
+    count = [0] * glued.vertices
+    for c, lowest in enumerate(fans(glued.vertex, glued.opposite)):
+        count[glued.vertex[c]] += c == lowest
     for v, fans_at in enumerate(count):
         if fans_at > 1:
             detail = f"its star is {fans_at} fans"

@@ -6,10 +6,11 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
 from clers.conventions.where import WHOLE
-from clers.edgebreaker.label import label
-from clers.edgebreaker.outline import Outline, outline
-from clers.edgebreaker.reversi import reversi
+from clers.edgebreaker.label import labelled
+from clers.edgebreaker.reversi import gluing
+from clers.edgebreaker.scanning import scanned
 from clers.edgebreaker.stream import Stream
+from clers.kernels.scan import Scan
 
 
 def decode(stream: Stream, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surface] | Rejected:
@@ -21,8 +22,8 @@ def decode(stream: Stream, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surface]
     if len(stream.word) > limits.faces:
         detail = f"{len(stream.word)} symbols, the limit is {limits.faces} faces"
         return Rejected(Reason.TOO_MANY_FACES, Clause.EB_DECODE_2, WHOLE, detail)
-    return and_then(outline(stream), _glue_and_label)
+    return and_then(scanned(stream), _glue_and_label)
 
 
-def _glue_and_label(outlined: Outline) -> Accepted[Surface] | Rejected:
-    return and_then(reversi(outlined), lambda opposite: label(outlined, opposite))
+def _glue_and_label(scan: Scan) -> Accepted[Surface] | Rejected:
+    return and_then(gluing(scan), lambda opposite: labelled(scan, opposite))

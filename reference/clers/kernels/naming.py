@@ -28,20 +28,20 @@ class Naming:
         name: i64 = self.count
         self.count = name + 1
         c: i64 = corner
-        while True:
+        while vertex[c] < 0:
             vertex[c] = name
             d: i64 = opposite[c - 2 if c % 3 == 2 else c + 1]
             if d < 0:
                 break
             c = d - 2 if d % 3 == 2 else d + 1
-            if c == corner:
-                return
         c = corner
         while True:
             d = opposite[c - 1 if c % 3 else c + 2]
             if d < 0:
                 return
             c = d - 1 if d % 3 else d + 2
+            if vertex[c] >= 0:
+                return
             vertex[c] = name
 
     def curve(self, corner: i64) -> None:
@@ -85,17 +85,3 @@ def named(scan: Scan, opposite: vec[i64]) -> Naming:
             i += 1
         p += 1
     return naming
-
-
-def distinct(vertex: vec[i64]) -> bool:
-    """Whether no face has a vertex twice. Clause: CPLX-REJECT-4."""
-    corners: i64 = len(vertex)
-    c: i64 = 0
-    while c < corners:
-        x: i64 = vertex[c]
-        y: i64 = vertex[c + 1]
-        z: i64 = vertex[c + 2]
-        if x == y or y == z or z == x:
-            return False
-        c += 3
-    return True

@@ -14,9 +14,10 @@ def opposites(vertex: vec[i64], vertices: i64) -> vec[i64]:
     """The corner opposite to each corner, or -1; nothing at all if some edge is not as it must be.
 
     `vertex[c]` is the vertex at corner c, from 0 to `vertices` - 1, three that differ in each face.
-    An edge has one face, or two that run it in opposite directions. Linear: corners are sorted by
-    the lower end of their edge, and of one lower end the last corner of each upper end is kept.
-    Clauses: CPLX-CORNER-3, CPLX-REJECT-6, CPLX-REJECT-7.
+    An edge has one face, or two that run it in opposite directions and have other tips. Linear:
+    corners are sorted by the lower end of their edge, and of one lower end the last corner of each
+    upper end is kept.
+    Clauses: CPLX-CORNER-3, CPLX-REJECT-5, CPLX-REJECT-6, CPLX-REJECT-7.
     """
     corners: i64 = len(vertex)
     start = zeros(vertices + 1)
@@ -74,7 +75,7 @@ def opposites(vertex: vec[i64], vertices: i64) -> vec[i64]:
             else:
                 d: i64 = corner_at[p]
                 c = corner_at[j]
-                if opposite[d] >= 0:
+                if opposite[d] >= 0 or vertex[c] == vertex[d]:
                     return vec[i64]()
                 if vertex[c - 2 if c % 3 == 2 else c + 1] == vertex[d - 2 if d % 3 == 2 else d + 1]:
                     return vec[i64]()
@@ -122,3 +123,17 @@ def one_fan_each(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
                     reached += 1
         c += 1
     return reached == corners and used == vertices
+
+
+def distinct(vertex: vec[i64]) -> bool:
+    """Whether no face has a vertex twice. Clause: CPLX-REJECT-4."""
+    corners: i64 = len(vertex)
+    c: i64 = 0
+    while c < corners:
+        x: i64 = vertex[c]
+        y: i64 = vertex[c + 1]
+        z: i64 = vertex[c + 2]
+        if x == y or y == z or z == x:
+            return False
+        c += 3
+    return True

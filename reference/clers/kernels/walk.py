@@ -49,7 +49,7 @@ class Walk:
         self.reaches = vec[i64]()
         self.closed = vec[i64]()
         self.closers: i64 = 0
-        self.stack = vec[i64]()
+        self.with_boundary: i64 = 0
 
     def reach_curve(self, corner: i64) -> None:
         """Mark the vertices of a curve, from a corner's vertex on. Clauses: EB-ORDER-2, -CURVE."""
@@ -161,20 +161,19 @@ def outgoing(opposite: vec[i64], corner: i64) -> i64:
         c = d + 2 if d % 3 == 0 else d - 1
 
 
-def walked(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> tuple[Walk, i64]:
-    """The walk over all components, and how many have boundary. Linear.
+def walked(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> Walk:
+    """The walk over all components. Linear.
 
     Clauses: EB-COMPONENT-1 … EB-COMPONENT-4.
     """
     walk = Walk(vertex, opposite, vertices)
     corners: i64 = len(vertex)
-    with_boundary: i64 = 0
     c: i64 = 0
     while c < corners:
         if opposite[c] < 0 and walk.visited[c // 3] == 0:
             walk.reach_curve(c - 2 if c % 3 == 2 else c + 1)
             walk.traverse(c)
-            with_boundary += 1
+            walk.with_boundary += 1
         c += 1
     c = 0
     while c < corners:
@@ -182,4 +181,4 @@ def walked(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> tuple[Walk, i
             walk.visit_root(c)
             walk.traverse(opposite[c])
         c += 3
-    return walk, with_boundary
+    return walk

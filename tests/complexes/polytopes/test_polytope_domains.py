@@ -42,7 +42,7 @@ def test_cell_lists_are_good_and_bad() -> None:
 
 def test_polygon_lists_are_good_and_bad() -> None:
     """Clause: CPLX-POLYGON-2."""
-    drawn = tally("polygon-lists")
+    drawn = tally("polygon-lists", 250)
     found = Counter(said(polygon_surface(x)) for x in drawn if isinstance(x, PolygonList))
     assert len(found) >= 5
     assert "CPLX-POLYGON-2 incoherent-cells" in found
