@@ -3,18 +3,21 @@
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import chain, repeat
 from typing import Final
 
 from clers.arithmetic.bits import Bits, pack
-from clers.arithmetic.steps import HALF, PRECISION, QUARTER, TOP
+from clers.arithmetic.by_automaton import Started, as_bytes, tables_of
+from clers.arithmetic.steps import PRECISION
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtSymbol
 from clers.information.model import MAXIMUM_TOTAL, Model, not_in_alphabet, over_maximum
+from clers.kernels.automaton import decoded, encoded
+from clers.kernels.interval import AHEAD, Decoder, Encoder
 
-_THREE_QUARTERS: Final = 3 * QUARTER
+SHORTEST: Final = 2
+"""The bits of the empty message. Clause: ARITH-END-1."""
 
 
 def encode(model: Model, symbols: Sequence[int]) -> Accepted[Bits] | Rejected:
@@ -23,45 +26,36 @@ def encode(model: Model, symbols: Sequence[int]) -> Accepted[Bits] | Rejected:
     Clauses: ARITH-ENCODE-1, ARITH-SHIFT-2, ARITH-END-1, ARITH-END-2; for the length ARITH-LENGTH-1,
     ARITH-LENGTH-2, ARITH-LENGTH-3; rejections by INFO-MODEL-5, INFO-MODEL-6.
     """
-    out = bytearray()  # one bit in each byte
-    low, high, pending = 0, TOP, 0
+    to = Encoder()
+    tables = tables_of(model)
+    numbers = None if tables is None else as_bytes(symbols)
+    fault = (
+        _write(model, symbols, to)
+        if tables is None or numbers is None
+        else _write_by(tables, numbers, to)
+    )
+    return fault if fault is not None else Accepted(pack(to.finish()))
+
+
+def _write(model: Model, symbols: Sequence[int], to: Encoder) -> Rejected | None:
+    """Write the symbols of any model; what is wrong with the first that cannot be written."""
+    narrow = to.narrow
     for index, symbol in enumerate(symbols):
         table = model.cumulative
         total = table[-1]
         if total > MAXIMUM_TOTAL:
             return over_maximum(index, total)
-        if not 0 <= symbol < len(table) - 1:
+        if not 0 <= symbol < len(table) - 1 or table[symbol] == table[symbol + 1]:
             return not_in_alphabet(index, symbol)
-        below, upto = table[symbol], table[symbol + 1]
-        if below == upto:
-            return not_in_alphabet(index, symbol)
-        width = high - low + 1
-        high = low + width * upto // total - 1
-        low += width * below // total
-        while True:
-            if high < HALF:
-                out.append(0)
-                if pending:
-                    out += b"\1" * pending
-                    pending = 0
-            elif low >= HALF:
-                out.append(1)
-                if pending:
-                    out += bytes(pending)
-                    pending = 0
-                low -= HALF
-                high -= HALF
-            elif low >= QUARTER and high < _THREE_QUARTERS:
-                pending += 1
-                low -= QUARTER
-                high -= QUARTER
-            else:
-                break
-            low *= 2
-            high += high + 1
+        narrow(table[symbol], table[symbol + 1], total)
         model = model.after(symbol)
-    out += b"\0" + b"\1" * (pending + 1) if low < QUARTER else b"\1" + bytes(pending + 1)
-    return Accepted(pack(out))
+    return None
+
+
+def _write_by(automaton: Started, symbols: bytes, to: Encoder) -> Rejected | None:
+    """The same for an automaton."""
+    fault = encoded(automaton.tables, automaton.context, symbols, to)
+    return None if fault < 0 else not_in_alphabet(fault, symbols[fault])
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,14 +103,16 @@ def _read(model: Model, bits: Bits, count: int, longest: int) -> Accepted[Readin
 
     Clauses: ARITH-DECODE-1 … ARITH-DECODE-4, ARITH-STRICT-2.
     """
-    next_bit = chain(bits.values(), repeat(0)).__next__
-    low, high, value = 0, TOP, 0
-    for _ in range(PRECISION):
-        value += value + next_bit()
-    length = 2
-    symbols: list[int] = []
-    if length > longest:
+    if longest < SHORTEST:
         return _truncated(0, bits)
+    of = Decoder(bits.values())
+    tables = tables_of(model)
+    if tables is not None:
+        numbers = decoded(tables.tables, tables.context, max(count, 0), longest, of)
+        if len(numbers) < count:
+            return _truncated(len(numbers), bits)
+        return Accepted(Reading(tuple(numbers), of.at - AHEAD, of.canonical()))
+    symbols: list[int] = []
     for index in range(count):
         table = model.cumulative
         total = table[-1]
@@ -124,33 +120,13 @@ def _read(model: Model, bits: Bits, count: int, longest: int) -> Accepted[Readin
             return over_maximum(index, total)
         if total == 0:
             break
-        width = high - low + 1
-        symbol = bisect_right(table, ((value - low + 1) * total - 1) // width) - 1
-        high = low + width * table[symbol + 1] // total - 1
-        low += width * table[symbol] // total
-        while True:
-            if high < HALF:
-                pass
-            elif low >= HALF:
-                low -= HALF
-                high -= HALF
-                value -= HALF
-            elif low >= QUARTER and high < _THREE_QUARTERS:
-                low -= QUARTER
-                high -= QUARTER
-                value -= QUARTER
-            else:
-                break
-            low *= 2
-            high += high + 1
-            value += value + next_bit()
-            length += 1
-        if length > longest:
+        symbol = bisect_right(table, of.target(total)) - 1
+        of.narrow(table[symbol], table[symbol + 1], total)
+        if of.at - AHEAD > longest:
             return _truncated(index, bits)
         symbols.append(symbol)
         model = model.after(symbol)
-    quarter = 1 if low < QUARTER else 2
-    return Accepted(Reading(tuple(symbols), length, value // QUARTER == quarter))
+    return Accepted(Reading(tuple(symbols), of.at - AHEAD, of.canonical()))
 
 
 def _truncated(index: int, bits: Bits) -> Rejected:

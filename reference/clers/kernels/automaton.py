@@ -4,7 +4,7 @@ from librt.strings import BytesWriter
 from librt.vecs import vec
 from mypy_extensions import i64
 
-from clers.kernels.interval import Decoder, Encoder
+from clers.kernels.interval import AHEAD, Decoder, Encoder
 
 
 class Tables:
@@ -61,7 +61,7 @@ def decoded(tables: Tables, context: i64, count: i64, longest: i64, of: Decoder)
         while cumulative[base + symbol + 1] <= target:
             symbol += 1
         of.narrow(cumulative[base + symbol], cumulative[base + symbol + 1], total)
-        if of.length > longest:
+        if of.at - AHEAD > longest:
             break
         out.append(symbol)
         context = tables.after[base + symbol]

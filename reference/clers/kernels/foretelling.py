@@ -12,7 +12,7 @@ from librt.vecs import extend, vec
 from mypy_extensions import i64
 
 from clers.kernels.flat import zeros
-from clers.kernels.interval import Decoder, Encoder
+from clers.kernels.interval import AHEAD, Decoder, Encoder
 from clers.kernels.loops import MOST, Loops
 
 UNIT: Final = 65536
@@ -197,7 +197,7 @@ def decoded(count: i64, longest: i64, by: Foretelling, of: Decoder) -> bytes:
                 of.narrow(UNIT - p, UNIT, UNIT)
             else:
                 of.narrow(0, UNIT - p, UNIT)
-            if of.length > longest:
+            if of.at - AHEAD > longest:
                 return out.getvalue()
             if sure < 0:
                 by.learn(d, yes, p)

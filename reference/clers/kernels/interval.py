@@ -14,12 +14,14 @@ QUARTER: Final = 0x4000_0000
 HALF: Final = 0x8000_0000
 THREE_QUARTERS: Final = 0xC000_0000
 TOP: Final = 0xFFFF_FFFF
+AHEAD: Final = 30
+"""How many bits a decoder has read beyond what an encoder writes if it ends here."""
 
 
 class Encoder:
     """Narrows an interval, and writes the bits that are settled; private and mutable.
 
-    Clauses: ARITH-ENCODE-1, ARITH-SHIFT-2, ARITH-BITS-2.
+    `out` has one bit in each byte. Clauses: ARITH-ENCODE-1, ARITH-SHIFT-2.
     """
 
     def __init__(self) -> None:
@@ -27,19 +29,22 @@ class Encoder:
         self.high: i64 = TOP
         self.pending: i64 = 0
         self.out = BytesWriter()
-        self.filling: i64 = 1  # a one, then the bits of the byte that is not full
-        self.length: i64 = 0
 
     def narrow(self, below: i64, upto: i64, total: i64) -> None:
         """Take the part of the interval from `below` up to `upto` out of `total`, and shift."""
-        width: i64 = self.high - self.low + 1
-        high: i64 = self.low + width * upto // total - 1
-        low: i64 = self.low + width * below // total
+        low: i64 = self.low
+        width: i64 = self.high - low + 1
+        high: i64 = low + width * upto // total - 1
+        low += width * below // total
         while True:
             if high < HALF:
-                self.send(0)
+                self.out.append(0)
+                if self.pending > 0:
+                    self.repeat(1)
             elif low >= HALF:
-                self.send(1)
+                self.out.append(1)
+                if self.pending > 0:
+                    self.repeat(0)
                 low -= HALF
                 high -= HALF
             elif low >= QUARTER and high < THREE_QUARTERS:
@@ -48,65 +53,43 @@ class Encoder:
                 high -= QUARTER
             else:
                 break
-            low *= 2
+            low += low
             high += high + 1
         self.low = low
         self.high = high
 
-    def send(self, bit: i64) -> None:
-        """Write a bit, and as often as bits are pending its opposite. Clause: ARITH-SHIFT-2."""
-        self.write(bit)
+    def repeat(self, bit: i64) -> None:
+        """Write a bit as often as bits are pending. Clause: ARITH-SHIFT-2."""
         while self.pending > 0:
-            self.write(1 - bit)
             self.pending -= 1
-
-    def write(self, bit: i64) -> None:
-        """Write one bit, the most significant of a byte first. Clause: ARITH-BITS-2."""
-        filling: i64 = self.filling * 2 + bit
-        self.length += 1
-        if filling >= 256:
-            self.out.append(filling - 256)
-            filling = 1
-        self.filling = filling
+            self.out.append(bit)
 
     def finish(self) -> bytes:
-        """The last bits, and all bytes, the last one filled with zeros. Clause: ARITH-END-1."""
+        """The last bits after all others. Clause: ARITH-END-1."""
+        last: i64 = 0 if self.low < QUARTER else 1
+        self.out.append(last)
         self.pending += 1
-        self.send(0 if self.low < QUARTER else 1)
-        while self.filling != 1:
-            self.write(0)
-            self.length -= 1
+        self.repeat(1 - last)
         return self.out.getvalue()
 
 
 class Decoder:
     """Finds which part of an interval some bits point into; private and mutable.
 
-    `length`: the bits that an encoder has written by now, and two more. After the bits come zeros.
+    `bits`: one in each byte, after the last come zeros. `at`: how many were read, which is AHEAD of
+    what an encoder has written by now if it ends here.
     Clauses: ARITH-DECODE-1 … ARITH-DECODE-4.
     """
 
-    def __init__(self, data: bytes) -> None:
+    def __init__(self, bits: bytes) -> None:
         self.low: i64 = 0
         self.high: i64 = TOP
-        self.data = data
-        self.end: i64 = 8 * len(data)
+        self.bits = bits
         self.at: i64 = 0
-        self.length: i64 = 2
         self.value: i64 = 0
-        k: i64 = 0
-        while k < 32:
-            self.value = 2 * self.value + self.next()
-            k += 1
-
-    def next(self) -> i64:
-        """The next bit, 0 after the last."""
-        at: i64 = self.at
-        self.at = at + 1
-        if at >= self.end:
-            return 0
-        byte: i64 = self.data[at >> 3]
-        return byte >> (7 - (at & 7)) & 1
+        while self.at < 32:
+            self.value += self.value + (bits[self.at] if self.at < len(bits) else 0)
+            self.at += 1
 
     def target(self, total: i64) -> i64:
         """A number below the total: in the part of the symbol that was meant. ARITH-DECODE-2."""
@@ -119,6 +102,9 @@ class Decoder:
         high: i64 = self.low + width * upto // total - 1
         low: i64 = self.low + width * below // total
         value: i64 = self.value
+        bits = self.bits
+        end: i64 = len(bits)
+        at: i64 = self.at
         while True:
             if high < HALF:
                 pass
@@ -132,10 +118,13 @@ class Decoder:
                 value -= QUARTER
             else:
                 break
-            low *= 2
+            low += low
             high += high + 1
-            value += value + self.next()
-            self.length += 1
+            value += value
+            if at < end:
+                value += bits[at]
+            at += 1
+        self.at = at
         self.low = low
         self.high = high
         self.value = value
