@@ -10,7 +10,7 @@ from clers.arithmetic.by_automaton import Started, as_bytes, tables_of
 from clers.arithmetic.steps import PRECISION
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
-from clers.conventions.result import Accepted, Rejected
+from clers.conventions.result import Accepted, Rejected, and_then
 from clers.conventions.where import AtSymbol
 from clers.information.model import MAXIMUM_TOTAL, Model, not_in_alphabet, over_maximum
 from clers.kernels.automaton import decoded, encoded
@@ -86,9 +86,11 @@ def decode(model: Model, bits: Bits, count: int) -> Accepted[tuple[int, ...]] | 
     Linear in symbols and bits. Clauses: ARITH-STRICT-1 … ARITH-STRICT-4.
     """
     reading = _read(model, bits, count, bits.length)
-    if isinstance(reading, Rejected):
-        return reading
-    found = reading.value
+    return and_then(reading, lambda found: strictly(found, bits))
+
+
+def strictly(found: Reading, bits: Bits) -> Accepted[tuple[int, ...]] | Rejected:
+    """The symbols, if the bits are those of an encoder. Clauses: ARITH-STRICT-3, ARITH-STRICT-4."""
     if found.length < bits.length:
         detail = f"the message has {found.length} bits, {bits.length} are given"
         return Rejected(Reason.TRAILING_BITS, Clause.ARITH_STRICT_3, detail=detail)
@@ -104,13 +106,13 @@ def _read(model: Model, bits: Bits, count: int, longest: int) -> Accepted[Readin
     Clauses: ARITH-DECODE-1 … ARITH-DECODE-4, ARITH-STRICT-2.
     """
     if longest < SHORTEST:
-        return _truncated(0, bits)
+        return truncated(0, bits)
     of = Decoder(bits.values())
     tables = tables_of(model)
     if tables is not None:
         numbers = decoded(tables.tables, tables.context, max(count, 0), longest, of)
         if len(numbers) < count:
-            return _truncated(len(numbers), bits)
+            return truncated(len(numbers), bits)
         return Accepted(Reading(tuple(numbers), of.at - AHEAD, of.canonical()))
     symbols: list[int] = []
     for index in range(count):
@@ -123,13 +125,13 @@ def _read(model: Model, bits: Bits, count: int, longest: int) -> Accepted[Readin
         symbol = bisect_right(table, of.target(total)) - 1
         of.narrow(table[symbol], table[symbol + 1], total)
         if of.at - AHEAD > longest:
-            return _truncated(index, bits)
+            return truncated(index, bits)
         symbols.append(symbol)
         model = model.after(symbol)
     return Accepted(Reading(tuple(symbols), of.at - AHEAD, of.canonical()))
 
 
-def _truncated(index: int, bits: Bits) -> Rejected:
+def truncated(index: int, bits: Bits) -> Rejected:
     """The message up to symbol `index` needs more bits than there are. Clause: ARITH-STRICT-2."""
     detail = f"{bits.length} bits are given"
     return Rejected(Reason.TRUNCATED_BITS, Clause.ARITH_STRICT_2, AtSymbol(index), detail)

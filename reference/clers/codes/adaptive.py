@@ -5,12 +5,9 @@ from typing import Final
 from clers.arithmetic import coder
 from clers.arithmetic.bits import Bits
 from clers.codes.code import NOTHING, Code
-from clers.codes.implied import NUMBER
+from clers.codes.implied import NUMBER, letters, numbers
 from clers.conventions.clause import Clause
-from clers.conventions.reason import Reason
-from clers.conventions.result import Accepted, Rejected
-from clers.conventions.where import AtSymbol
-from clers.edgebreaker.stream import SYMBOLS
+from clers.conventions.result import Accepted, Rejected, and_then
 from clers.information.adaptive import Adaptive
 from clers.information.model import Model, cumulative
 
@@ -61,21 +58,15 @@ class _Once:
 
 def encode(order: int, symbols: str, head: str) -> Accepted[Bits] | Rejected:
     """The bits of the symbols after `head`. Linear. Clauses: CODE-ADAPTIVE-1, CODE-ADAPTIVE-2."""
-    stranger = next((i for i, x in enumerate(symbols) if x not in NUMBER), None)
-    if stranger is not None:
-        return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_ADAPTIVE_1, AtSymbol(stranger))
     model = _Once(order, tuple(NUMBER[x] for x in head))
-    return coder.encode(model, [NUMBER[x] for x in symbols])
+    found = numbers(symbols, Clause.CODE_ADAPTIVE_1)
+    return and_then(found, lambda coded: coder.encode(model, coded))
 
 
 def decode(order: int, bits: Bits, count: int, head: str) -> Accepted[str] | Rejected:
     """The `count` symbols after `head`. Linear. Clauses: CODE-ADAPTIVE-1, CODE-ADAPTIVE-2."""
-    decoded = coder.decode(_Once(order, tuple(NUMBER[x] for x in head)), bits, count)
-    match decoded:
-        case Accepted(numbers):
-            return Accepted("".join(SYMBOLS[s] for s in numbers))
-        case Rejected():
-            return decoded
+    found = coder.decode(_Once(order, tuple(NUMBER[x] for x in head)), bits, count)
+    return and_then(found, lambda coded: Accepted(letters(coded)))
 
 
 def most_symbols(bits: int) -> int:

@@ -10,12 +10,10 @@ from typing import Final
 from clers.arithmetic import coder
 from clers.arithmetic.bits import Bits
 from clers.codes.code import Code, Guarantee
-from clers.codes.implied import NUMBER, implied
+from clers.codes.implied import implied, letters, numbers
 from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
-from clers.conventions.reason import Reason
-from clers.conventions.result import Accepted, Rejected
-from clers.conventions.where import AtSymbol
+from clers.conventions.result import Accepted, Rejected, and_then
 from clers.edgebreaker.stream import SYMBOLS
 from clers.information.automaton import Automaton, Context, contexts
 
@@ -59,20 +57,14 @@ def encode(symbols: str, head: str) -> Accepted[Bits] | Rejected:
 
     Clauses: CODE-GOLDEN-1 … CODE-GOLDEN-3; their number: CODE-GOLDEN-6, CODE-GOLDEN-7.
     """
-    stranger = next((i for i, x in enumerate(symbols) if x not in NUMBER), None)
-    if stranger is not None:
-        return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_GOLDEN_1, AtSymbol(stranger))
-    return coder.encode(model(head), [NUMBER[x] for x in symbols])
+    found = numbers(symbols, Clause.CODE_GOLDEN_1)
+    return and_then(found, lambda coded: coder.encode(model(head), coded))
 
 
 def decode(bits: Bits, count: int, head: str) -> Accepted[str] | Rejected:
     """The `count` symbols that follow `head`. Linear. Clauses: CODE-GOLDEN-1 … -3."""
-    decoded = coder.decode(model(head), bits, count)
-    match decoded:
-        case Accepted(numbers):
-            return Accepted("".join(SYMBOLS[s] for s in numbers))
-        case Rejected():
-            return decoded
+    found = coder.decode(model(head), bits, count)
+    return and_then(found, lambda coded: Accepted(letters(coded)))
 
 
 def units(word: str) -> int:

@@ -1,5 +1,6 @@
 """The symbol that needs no bits: a word whose first component is closed begins with C."""
 
+from collections.abc import Iterable
 from typing import Final
 
 from clers.conventions.clause import Clause
@@ -10,6 +11,24 @@ from clers.edgebreaker.stream import SYMBOLS, Stream
 
 NUMBER: Final = {symbol: number for number, symbol in enumerate(SYMBOLS)}
 """The numbers of the symbols in models. Clause: EB-WORD-1."""
+
+
+_NUMBERS: Final = bytes.maketrans(SYMBOLS.encode(), bytes(range(len(SYMBOLS))))
+_LETTERS: Final = bytes.maketrans(bytes(range(len(SYMBOLS))), SYMBOLS.encode())
+_ALPHABET: Final = frozenset(SYMBOLS)
+
+
+def numbers(symbols: str, clause: Clause) -> Accepted[bytes] | Rejected:
+    """The numbers of symbols, in a byte each; a symbol out of the alphabet is blamed. EB-WORD-1."""
+    if _ALPHABET.issuperset(symbols):
+        return Accepted(symbols.encode().translate(_NUMBERS))
+    stranger = next(i for i, x in enumerate(symbols) if x not in _ALPHABET)
+    return Rejected(Reason.NOT_IN_ALPHABET, clause, AtSymbol(stranger))
+
+
+def letters(found: Iterable[int]) -> str:
+    """The symbols of these numbers. Clause: EB-WORD-1."""
+    return bytes(found).translate(_LETTERS).decode()
 
 
 def implied(components_with_boundary: int) -> str:

@@ -13,13 +13,11 @@ from clers.arithmetic import coder
 from clers.arithmetic.bits import Bits
 from clers.codes import minimax_tables as given
 from clers.codes.code import Code, Guarantee, Shape
-from clers.codes.implied import NUMBER
+from clers.codes.implied import NUMBER, letters, numbers
 from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
-from clers.conventions.result import Accepted, Rejected
-from clers.conventions.where import AtSymbol
-from clers.edgebreaker.stream import SYMBOLS
+from clers.conventions.result import Accepted, Rejected, and_then
 from clers.information.automaton import Automaton, Context, contexts
 
 
@@ -73,10 +71,10 @@ def encode(of: Minimax, symbols: str, shape: Shape) -> Accepted[Bits] | Rejected
 
     Clauses: CODE-MINIMAX-4, CODE-MINIMAX-5; their number: CODE-MINIMAX-6.
     """
-    stranger = next((i for i, x in enumerate(symbols) if x not in NUMBER), None)
-    if stranger is not None:
-        return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_MINIMAX_4, AtSymbol(stranger))
-    coded = coder.encode(model(of, shape.head), [NUMBER[x] for x in symbols])
+    found = numbers(symbols, Clause.CODE_MINIMAX_4)
+    if isinstance(found, Rejected):
+        return found
+    coded = coder.encode(model(of, shape.head), found.value)
     match coded:
         case Accepted():
             return coded
@@ -87,12 +85,8 @@ def encode(of: Minimax, symbols: str, shape: Shape) -> Accepted[Bits] | Rejected
 
 def decode(of: Minimax, bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
     """The `count` symbols of these bits, and no others. Linear. Clause: CODE-MINIMAX-4."""
-    decoded = coder.decode(model(of, shape.head), bits, count)
-    match decoded:
-        case Accepted(numbers):
-            return Accepted("".join(SYMBOLS[s] for s in numbers))
-        case Rejected():
-            return decoded
+    found = coder.decode(model(of, shape.head), bits, count)
+    return and_then(found, lambda coded: Accepted(letters(coded)))
 
 
 def most_symbols(bits: int) -> int:

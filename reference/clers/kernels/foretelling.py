@@ -62,6 +62,7 @@ class Foretelling:
         self.at = zeros(CONTEXTS)
         self.past: i64 = HISTORY - 1
         self.small: i64 = 0
+        self.decisions: i64 = 0  # that were made
 
     def look(self) -> None:
         """Find the slots for the next symbol. Clause: CODE-CONTEXT-4."""
@@ -199,6 +200,7 @@ def decoded(count: i64, longest: i64, by: Foretelling, of: Decoder) -> bytes:
                 of.narrow(0, UNIT - p, UNIT)
             if of.at - AHEAD > longest:
                 return out.getvalue()
+            by.decisions += 1
             if sure < 0:
                 by.learn(d, yes, p)
             if yes:
