@@ -40,7 +40,7 @@ def test_lines_grow_with_the_sphere(family: Callable[[int], Surface]) -> None:
     spheres = [family(200), family(1600)]
     words = [tree_word(sphere) for sphere in spheres]
     assert [len(word) // 4 + 3 for word in words] == [200, 1600]
-    there = [lines(partial(tree_word, sphere), "codes") for sphere in spheres]
-    back = [lines(partial(sphere_of, word), "codes") for word in words]
+    there = [lines(partial(tree_word, sphere), "clers/") for sphere in spheres]
+    back = [lines(partial(sphere_of, word), "clers/") for word in words]
     for few, many in (there, back):
         assert many < 8.5 * few

@@ -1,9 +1,18 @@
 """What closing the string about a tree is, by looking for something to close again and again."""
 
-from clers.codes.closure import LEAF, Face, Side, sides
+from typing import Final
+
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
+from clers.conventions.where import WHOLE, AtSymbol
+
+LEAF: Final = -1
+
+Side = tuple[int, int]
+"""One side of the string: (x, y) an edge from x to y, or (x, LEAF) a leaf of x."""
+
+Face = tuple[int, int, int]
 
 
 def faces_by_rescanning(word: bytes) -> Accepted[tuple[Face, ...]] | Rejected:
@@ -12,6 +21,37 @@ def faces_by_rescanning(word: bytes) -> Accepted[tuple[Face, ...]] | Rejected:
     Clauses: CODE-TREE-6 … CODE-TREE-8.
     """
     return and_then(sides(word), _rescanned)
+
+
+def sides(word: bytes) -> Accepted[list[Side]] | Rejected:
+    """The string that a word describes, from the first leaf of the root to its last.
+
+    One bit in each byte. Linear. Clauses: CODE-TREE-5, CODE-TREE-6.
+    """
+    found: list[Side] = [(0, LEAF)]
+    path, zeros = [0], [0]
+    for index, bit in enumerate(word):
+        x = path[-1]
+        if bit:
+            y = len(zeros)
+            path.append(y)
+            zeros.append(0)
+            found.append((x, y))
+        elif x == 0:
+            detail = "the root has its two leaves already"
+            return Rejected(Reason.NOT_CANONICAL, Clause.CODE_TREE_6, AtSymbol(index), detail)
+        else:
+            zeros[x] += 1
+            if zeros[x] > 2:
+                path.pop()
+                found.append((x, path[-1]))
+            else:
+                found.append((x, LEAF))
+    if len(path) > 1 or len(zeros) == 1:
+        detail = f"the tree has {len(zeros)} vertices, {len(path) - 1} of them not finished"
+        return Rejected(Reason.NOT_CANONICAL, Clause.CODE_TREE_6, WHOLE, detail)
+    found.append((0, LEAF))
+    return Accepted(found)
 
 
 def _rescanned(string: list[Side]) -> Accepted[tuple[Face, ...]] | Rejected:

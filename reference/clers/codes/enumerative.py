@@ -7,8 +7,8 @@ so that all words with as many ones cost the same, up to what the coder rounds.
 
 from typing import Final
 
-from clers.arithmetic import coder
-from clers.arithmetic.bits import Bits
+from clers.arithmetic.bits import Bits, pack
+from clers.arithmetic.coder import SHORTEST, Reading, strictly, truncated
 from clers.codes.closure import sphere_of
 from clers.codes.code import Code, Guarantee, Shape
 from clers.codes.tree_word import tree_word
@@ -21,6 +21,9 @@ from clers.edgebreaker.decode import decode as surface_of
 from clers.edgebreaker.encode import encode as stream_of
 from clers.edgebreaker.stream import Stream
 from clers.information.enumerative import Urn
+from clers.information.model import MAXIMUM_TOTAL, over_maximum
+from clers.kernels.interval import AHEAD, Decoder, Encoder
+from clers.kernels.urn import decoded, encoded
 
 FRONT: Final = bytes((1, 0))
 BACK: Final = bytes((0, 0))
@@ -38,8 +41,10 @@ def _bits(surface: Surface) -> Accepted[Bits] | Rejected:
     spheres = surface.vertices - surface.faces // 2
     if spheres != 2:
         return _not_one("it has several components")
-    bits = tree_word(surface)[len(FRONT) : -len(BACK)]
-    return coder.encode(urn(surface.vertices), bits)
+    ones = surface.vertices - 4
+    to = Encoder()
+    encoded(tree_word(surface)[len(FRONT) : -len(BACK)], 3 * ones, ones, to)
+    return Accepted(pack(to.finish()))
 
 
 def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
@@ -48,14 +53,26 @@ def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
         return _not_one("it has boundary or handles")
     if count < 2 or count % 2:
         return _not_one(f"no sphere has {count + 2} faces")
-    model = urn(count // 2 + 3)
-    read = coder.decode(model, bits, sum(model.counts))
-    sphere = and_then(read, lambda found: sphere_of(FRONT + bytes(found) + BACK))
+    sphere = and_then(_read(bits, count // 2 - 1), lambda found: sphere_of(FRONT + found + BACK))
     return and_then(sphere, lambda found: Accepted(stream_of(found).stream.word[len(shape.head) :]))
 
 
+def _read(bits: Bits, ones: int) -> Accepted[bytes] | Rejected:
+    """The bits of a tree word that these bits, and no others, code. CODE-ENUM-2, CODE-ENUM-3."""
+    if bits.length < SHORTEST:
+        return truncated(0, bits)
+    if 4 * ones > MAXIMUM_TOTAL:
+        return over_maximum(0, 4 * ones)
+    of = Decoder(bits.values())
+    found = decoded(3 * ones, ones, bits.length, of)
+    if len(found) < 4 * ones:
+        return truncated(len(found), bits)
+    reading = Reading(tuple(found), of.at - AHEAD, of.canonical())
+    return and_then(strictly(reading, bits), lambda _: Accepted(found))
+
+
 def urn(vertices: int) -> Urn:
-    """The bits of a tree word that are coded, 4(V − 4) with V − 4 ones. Clause: CODE-ENUM-2."""
+    """What is known of the bits of a tree word that are coded. Clause: CODE-ENUM-2."""
     ones = vertices - 4
     return Urn((3 * ones, ones))
 

@@ -3,11 +3,13 @@
 from functools import partial
 from typing import Final
 
+from clers.arithmetic import coder
 from clers.arithmetic.bits import Bits, pack
 from clers.codes import enumerative
 from clers.codes.closings import closings
 from clers.codes.code import Code, Shape
 from clers.codes.given_trees import UNIFORM
+from clers.codes.tree_word import tree_word
 from clers.complexes.given import SPHERES, SURFACES
 from clers.complexes.surface import Surface
 from clers.complexes.topology import components
@@ -17,7 +19,9 @@ from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.verdict import Fails, Holds, Verdict
 from clers.conventions.where import WHOLE
+from clers.edgebreaker.decode import decode
 from clers.edgebreaker.encode import encode
+from clers.edgebreaker.stream import Stream
 
 CLOSED: Final = Shape("C")
 
@@ -98,6 +102,18 @@ def nothing_else(code: Code, surface: Surface) -> Verdict:
             return Fails("a rejection", bits.digits(), WHOLE)
 
 
+def by_the_urn(code: Code, surface: Surface) -> Verdict:
+    """The bits are those of the coder of chapter 2 with the urn as its model."""
+    word = _after_c(surface)
+    match decode(Stream(f"C{word}")):
+        case Accepted(sphere):
+            coded = tree_word(sphere)[len(enumerative.FRONT) : -len(enumerative.BACK)]
+            expected = coder.encode(enumerative.urn(sphere.vertices), coded)
+            return same(expected, code.encode(word, CLOSED))
+        case Rejected() as rejected:
+            return Fails("a sphere", rejected.line(), rejected.where)
+
+
 def laws_of(code: Code) -> tuple[AnyLaw, ...]:
     """The laws, of this code."""
     return (
@@ -107,6 +123,13 @@ def laws_of(code: Code) -> tuple[AnyLaw, ...]:
             "the bits of a sphere's word decode to the word",
             SPHERES,
             partial(decodes, code),
+        ),
+        Law(
+            "enumerative-by-the-urn",
+            Clause.CODE_ENUM_2,
+            "the bits are the tree word's by the urn, without the bits that are known",
+            SPHERES,
+            partial(by_the_urn, code),
         ),
         Law(
             "enumerative-other-bits",

@@ -30,11 +30,28 @@ def surface(given: FaceList, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surfac
         return fault
     tips = list(chain.from_iterable(given.faces))
     if min(tips) >= 0 and max(tips) < given.vertices:
-        vertex = vec[i64](tips)
-        opposite = table.opposites(vertex, given.vertices) if table.distinct(vertex) else vec[i64]()
-        if len(opposite) > 0 and table.one_fan_each(vertex, opposite, given.vertices):
-            return Accepted(of_flat(vertex, opposite, given.vertices))
+        found = _by_kernels(vec[i64](tips), given.vertices)
+        if found is not None:
+            return Accepted(found)
     return by_clauses(given, limits)
+
+
+def of_corners(vertex: vec[i64], vertices: int) -> Accepted[Surface] | Rejected:
+    """The same of the vertices at the corners, which are known to be in range. CPLX-CORNER-1."""
+    found = _by_kernels(vertex, vertices)
+    if found is not None:
+        return Accepted(found)
+    tips = tuple(vertex)
+    faces = tuple(zip(tips[0::3], tips[1::3], tips[2::3], strict=True))
+    return by_clauses(FaceList(faces, vertices), Limits(len(faces), vertices))
+
+
+def _by_kernels(vertex: vec[i64], vertices: int) -> Surface | None:
+    """The surface, if there is nothing wrong. Linear."""
+    opposite = table.opposites(vertex, vertices) if table.distinct(vertex) else vec[i64]()
+    if len(opposite) > 0 and table.one_fan_each(vertex, opposite, vertices):
+        return of_flat(vertex, opposite, vertices)
+    return None
 
 
 def by_clauses(given: FaceList, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surface] | Rejected:

@@ -1,0 +1,48 @@
+"""Coding bits as drawn from an urn, of which none is put back. Clause: INFO-ENUM-6.
+
+There are at most 2^30 bits in the urn (INFO-MODEL-2).
+"""
+
+from librt.strings import BytesWriter
+from mypy_extensions import i64
+
+from clers.kernels.interval import AHEAD, Decoder, Encoder
+
+
+def encoded(bits: bytes, zeros: i64, ones: i64, to: Encoder) -> i64:
+    """Write bits, one in each byte; the place of the first that is not in the urn, or -1. Linear."""
+    n: i64 = len(bits)
+    i: i64 = 0
+    while i < n:
+        total: i64 = zeros + ones
+        if bits[i]:
+            if ones == 0:
+                return i
+            to.narrow(zeros, total, total)
+            ones -= 1
+        else:
+            if zeros == 0:
+                return i
+            to.narrow(0, zeros, total)
+            zeros -= 1
+        i += 1
+    return -1
+
+
+def decoded(zeros: i64, ones: i64, longest: i64, of: Decoder) -> bytes:
+    """All bits of the urn; fewer if they would take more than `longest` bits. Linear."""
+    out = BytesWriter()
+    while zeros + ones > 0:
+        total: i64 = zeros + ones
+        if of.target(total) >= zeros:
+            of.narrow(zeros, total, total)
+            ones -= 1
+            bit: i64 = 1
+        else:
+            of.narrow(0, zeros, total)
+            zeros -= 1
+            bit = 0
+        if of.at - AHEAD > longest:
+            break
+        out.append(bit)
+    return out.getvalue()
