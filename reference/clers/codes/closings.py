@@ -39,6 +39,8 @@ def closings(stream: Stream) -> Accepted[tuple[Closing, ...]] | Rejected:
 
     Linear. Clauses: CODE-HAND-1, CODE-HAND-2.
     """
+    if not stream.records:
+        return Accepted(())
     word, waiting = stream.word, list(stream.records)
     s, at = word.count("S"), _closers(word)
     edges: dict[Side, dict[int, int]] = {Side.RIGHT: {}, Side.LEFT: {}}  # `at` to its place
@@ -66,6 +68,8 @@ def closings(stream: Stream) -> Accepted[tuple[Closing, ...]] | Rejected:
 
 def records(word: str, given: Sequence[Closing]) -> Accepted[tuple[Record, ...]] | Rejected:
     """The records of a word from what is seen from its end. Linear. Clause: CODE-HAND-3."""
+    if not given:
+        return Accepted(())
     s, at = word.count("S"), _closers(word)
     edges: dict[Side, list[int]] = {Side.RIGHT: [], Side.LEFT: []}
     found: list[Record] = []

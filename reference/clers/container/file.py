@@ -37,12 +37,12 @@ def encode(
 ) -> Accepted[bytes] | Rejected:
     """The file of a mesh. Clauses: FILE-OPTION-1, FILE-ROUND-1, GEOM-MESH-1, GEOM-ORDER-1."""
     encoding = edgebreaker_encode(surface)
-    renumbered = in_creation_order(surface, encoding)
 
     def store(whole: Mesh) -> Accepted[Stored] | Rejected:
         if whole.positions is None:
             return Accepted(None)
         ordered = into_order(whole.positions, encoding.vertex_order)
+        renumbered = in_creation_order(surface, encoding)
         return and_then(chosen(options.accuracy, ordered), lambda p: _stored(renumbered, p))
 
     def write(stored: Stored) -> Accepted[bytes] | Rejected:

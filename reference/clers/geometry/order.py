@@ -2,9 +2,14 @@
 
 from collections.abc import Sequence
 
-from clers.complexes.surface import BORDER, Corner, Surface, Vertex, next_corner, previous_corner
+from librt.vecs import vec
+from mypy_extensions import i64
+
+from clers.complexes.flat_surface import of_flat
+from clers.complexes.surface import Surface
 from clers.edgebreaker.stream import Encoding
 from clers.geometry.positions import Positions
+from clers.kernels.order import Renumbered
 
 
 def in_creation_order(surface: Surface, encoding: Encoding) -> Surface:
@@ -12,19 +17,13 @@ def in_creation_order(surface: Surface, encoding: Encoding) -> Surface:
 
     Linear. Clause: GEOM-ORDER-3.
     """
-    old = [c for tip in encoding.tip_order for c in (tip, next_corner(tip), previous_corner(tip))]
-    corner = [BORDER] * len(old)
-    for c, was in enumerate(old):
-        corner[was] = Corner(c)
-    vertex = [Vertex(0)] * surface.vertices
-    for k, v in enumerate(encoding.vertex_order):
-        vertex[v] = Vertex(k)
-    across = (surface.opposite[was] for was in old)
-    return Surface(
-        tuple(vertex[surface.vertex[was]] for was in old),
-        tuple(BORDER if d == BORDER else corner[d] for d in across),
-        surface.vertices,
+    found = Renumbered(
+        vec[i64](surface.vertex),
+        vec[i64](surface.opposite),
+        vec[i64](encoding.tip_order),
+        vec[i64](encoding.vertex_order),
     )
+    return of_flat(found.vertex, found.opposite, surface.vertices)
 
 
 def into_order(given: Positions, order: Sequence[int]) -> Positions:

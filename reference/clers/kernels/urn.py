@@ -10,7 +10,7 @@ from clers.kernels.interval import AHEAD, Decoder, Encoder
 
 
 def encoded(bits: bytes, zeros: i64, ones: i64, to: Encoder) -> i64:
-    """Write bits, one in each byte; the place of the first that is not in the urn, or -1. Linear."""
+    """Write bits, one in each byte; the place of the first that the urn lacks, or -1. Linear."""
     n: i64 = len(bits)
     i: i64 = 0
     while i < n:
