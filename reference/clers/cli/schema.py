@@ -13,6 +13,7 @@ def schemas() -> dict[str, object]:
 
     from clers.cli.views import InfoView, WordView
     from clers.conformance.schema import protocol_schema
+    from clers.oracle.finding import finding_schema
 
     published = {"info": InfoView, "word": WordView}
     records: dict[str, object] = {
@@ -23,10 +24,10 @@ def schemas() -> dict[str, object]:
         }
         for name, view in published.items()
     }
-    return {**records, "protocol": protocol_schema()}
+    return {**records, "protocol": protocol_schema(), "finding": finding_schema()}
 
 
-def schema(name: Annotated[str, typer.Argument(help="info, word or protocol.")]) -> None:
+def schema(name: Annotated[str, typer.Argument(help="info, word, protocol or finding.")]) -> None:
     """Print the JSON Schema of what a command prints with --json, or of the adapters' protocol."""
     known = schemas()
     if name not in known:
