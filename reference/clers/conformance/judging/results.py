@@ -1,0 +1,50 @@
+"""Where two results of one operation part: each kind of result has its own module."""
+
+from clers.conformance import payloads as form
+from clers.conformance.cases.case import Comparison
+from clers.conformance.judging.bits import of_bits
+from clers.conformance.judging.faces import of_mesh
+from clers.conformance.judging.files import of_file
+from clers.conformance.judging.isomorphic import of_isomorphic
+from clers.conformance.judging.judged import Divergence
+from clers.conformance.judging.steps import Walk
+from clers.conformance.judging.surfaces import of_components, of_stages
+from clers.conformance.judging.symbols import of_symbols
+from clers.conformance.judging.values import of_value
+from clers.conformance.judging.words import of_encoding, of_word
+from clers.conformance.results import Result
+
+
+def of_results(right: Result, got: Result, compare: Comparison, walk: Walk) -> Divergence | None:
+    """The first place where a result is not as it should be, or None. Total.
+
+    Clauses: ORCL-JUDGE-2, ORCL-JUDGE-3, ORCL-JUDGE-4, ORCL-DIVERGE-1 … ORCL-DIVERGE-10.
+    """
+    match right, got:
+        case form.Classified(), form.Classified():
+            return of_components(right, got)
+        case form.Stages(), form.Stages():
+            return of_stages(right, got)
+        case form.BitString(), form.BitString():
+            return of_bits(right, got)
+        case form.Symbols(), form.Symbols():
+            return of_symbols(right, got)
+        case form.WordForm(), form.WordForm():
+            return of_encoding(right, got, walk)
+        case form.JustWord(), form.JustWord():
+            return of_word(right.word, got.word)
+        case form.FileForm(), form.FileForm():
+            return of_file(right, got)
+        case form.Faces(), form.Faces() if compare == "isomorphic":
+            return of_isomorphic(right, got)
+        case form.Faces(), form.Faces():
+            return of_mesh(right, got, walk)
+        case dict(), dict():
+            return of_value(right, got)
+        case _:
+            return Divergence(
+                kind="form",
+                place="the form of the result",
+                expected=type(right).__name__,
+                got=type(got).__name__,
+            )
