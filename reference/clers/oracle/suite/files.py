@@ -1,6 +1,5 @@
 """A suite as a folder of files: read whole and strictly. Clauses: ORCL-SUITE-1, ORCL-SUITE-2."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
@@ -60,12 +59,10 @@ def read_suite(folder: Path) -> Accepted[Suite] | Rejected:
     Rejects a file that cannot be read or is of another form, another checksum, or another number of
     cases; the detail begins with the file's name. Clauses: ORCL-SUITE-1, ORCL-SUITE-2.
     """
-    manifest = _document(folder, MANIFEST, Manifest)
-    if isinstance(manifest, Rejected):
-        return manifest
-    said = manifest.value
-    if said.format != FORMAT:
-        return fault(Reason.UNKNOWN_VERSION, MANIFEST, f"format {said.format}, not {FORMAT}")
+    found = read_unsealed(folder)
+    if isinstance(found, Rejected):
+        return found
+    said = found.value.manifest
     digests = {entry.path: entry.sha256 for entry in said.files}
     digests.update((entry.path, entry.sha256) for entry in said.others)
     for path, digest in digests.items():
@@ -74,24 +71,35 @@ def read_suite(folder: Path) -> Accepted[Suite] | Rejected:
             return data
         if sha256(data.value).hexdigest() != digest:
             return fault(Reason.BAD_CHECKSUM, path, "its SHA-256 is not the manifest's")
-    return _assembled(folder, said)
-
-
-def _assembled(folder: Path, said: Manifest) -> Accepted[Suite] | Rejected:
-    parts: list[Part] = []
-    for entry in said.files:
-        part = _document(folder, entry.path, Part)
-        if isinstance(part, Rejected):
-            return part
-        if len(part.value.cases) != entry.cases:
-            detail = f"{len(part.value.cases)} cases, {entry.cases} by the manifest"
+    for entry, part in zip(said.files, found.value.parts, strict=True):
+        if len(part.cases) != entry.cases:
+            detail = f"{len(part.cases)} cases, {entry.cases} by the manifest"
             return fault(Reason.COUNT_MISMATCH, entry.path, detail)
-        parts.append(part.value)
     if sum(entry.cases for entry in said.files) != said.count:
         return fault(Reason.COUNT_MISMATCH, MANIFEST, f"its files have other than {said.count}")
-    flags = _document(folder, FLAGS, Flags)
-    retired = _document(folder, RETIRED, RetiredList)
-    canaries = _document(folder, CANARIES, Canaries)
+    return found
+
+
+def read_unsealed(folder: Path) -> Accepted[Suite] | Rejected:
+    """The suite in a folder, whatever its manifest says of checksums and counts.
+
+    For what mends a suite, or names all that is wrong with it. Clause: ORCL-SUITE-1.
+    """
+    manifest = read_document(folder, MANIFEST, Manifest)
+    if isinstance(manifest, Rejected):
+        return manifest
+    said = manifest.value
+    if said.format != FORMAT:
+        return fault(Reason.UNKNOWN_VERSION, MANIFEST, f"format {said.format}, not {FORMAT}")
+    parts: list[Part] = []
+    for entry in said.files:
+        part = read_document(folder, entry.path, Part)
+        if isinstance(part, Rejected):
+            return part
+        parts.append(part.value)
+    flags = read_document(folder, FLAGS, Flags)
+    retired = read_document(folder, RETIRED, RetiredList)
+    canaries = read_document(folder, CANARIES, Canaries)
     if isinstance(flags, Rejected):
         return flags
     if isinstance(retired, Rejected):
@@ -114,7 +122,8 @@ def read_bytes(folder: Path, path: str) -> Accepted[bytes] | Rejected:
         return fault(Reason.UNREADABLE_FILE, str(folder / path), str(why))
 
 
-def _document(folder: Path, path: str, kind: type[A]) -> Accepted[A] | Rejected:
+def read_document(folder: Path, path: str, kind: type[A]) -> Accepted[A] | Rejected:
+    """What a file of the suite says. Clauses: ORCL-SUITE-1, ORCL-CASE-7."""
     found = read_bytes(folder, path)
     return found if isinstance(found, Rejected) else document(path, found.value, kind)
 
@@ -130,7 +139,3 @@ def document(path: str, data: bytes, kind: type[A]) -> Accepted[A] | Rejected:
 def fault(reason: Reason, path: str, detail: str) -> Rejected:
     """Why a file of a suite is not good. Clause: ORCL-SUITE-1."""
     return Rejected(reason, Clause.ORCL_SUITE_1, detail=f"{path}: {detail}")
-
-
-Progress = Callable[[str], None]
-"""Called with a word on each step that begins."""
