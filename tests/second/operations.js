@@ -1,0 +1,102 @@
+'use strict';
+// The operations of the protocol (ORCL-OP-1 to ORCL-OP-7) and what this adapter says of itself (ORCL-HELLO-2).
+
+const arithmetic = require('./arithmetic.js');
+const { bitsFromOutside } = require('./bits.js');
+const codes = require('./codes/index.js');
+const { classify } = require('./components.js');
+const { decodeFile, encodeFile } = require('./container/file.js');
+const { surfaceOf } = require('./face_list.js');
+const limits = require('./limits.js');
+const { modelFromOutside } = require('./models.js');
+const { Unsupported } = require('./rejection.js');
+const { decodeStream } = require('./unwind.js');
+const { encodeSurface } = require('./walk.js');
+
+const bitString = ({ bytes, length }) => ({ hex: Buffer.from(bytes).toString('hex'), length });
+const faceList = (surface) => ({ faces: surface.triangles(), vertices: surface.vertices });
+const streamOf = (input) => (
+  { word: input.word, records: input.handles, boundaryComponents: input.components_with_boundary });
+
+function checkCoder(coder) {
+  if (coder !== 'arithmetic') throw new Unsupported(`coder.${coder}`);
+}
+
+function checkSymbols(count) {
+  if (count > limits.MAX_SYMBOLS) throw new Unsupported('max_symbols'); // ORCL-SERVE-1
+}
+
+function meshOf(positions) {
+  return (surface) => (positions === null ? faceList(surface) : { ...faceList(surface), positions });
+}
+
+/** Each operation takes its input, and `trace`, which is called with each entry of a walk. */
+const OPERATIONS = {
+  echo: (input) => input,
+
+  'surface.classify': ({ faces, vertices }) => ({ components: classify(surfaceOf(faces, vertices)) }),
+
+  'arithmetic.encode'({ coder, model, symbols }) {
+    checkCoder(coder);
+    return bitString(arithmetic.encodeMessage(modelFromOutside(model), symbols));
+  },
+
+  'arithmetic.decode'({ coder, model, bits, count }) {
+    checkCoder(coder);
+    const read = bitsFromOutside(bits.hex, bits.length);
+    const from = modelFromOutside(model);
+    checkSymbols(count);
+    return { symbols: arithmetic.decodeMessage(from, read, count) };
+  },
+
+  'word.encode'({ faces, vertices }, trace) {
+    const { word, records, boundaryComponents, vertexOrder, trace: entries } = encodeSurface(surfaceOf(faces, vertices));
+    entries.forEach(trace);
+    return { word, handles: records, components_with_boundary: boundaryComponents, vertex_order: vertexOrder };
+  },
+
+  'word.decode'(input, trace) {
+    const surface = decodeStream(streamOf(input));
+    if (trace.wanted) encodeSurface(surface).trace.forEach(trace); // EB-DECODE-1: the same walk
+    return faceList(surface);
+  },
+
+  'code.encode': (input) => bitString(codes.encodeWord(input.code, streamOf(input))),
+
+  'code.decode'({ code, bits, symbols, components_with_boundary: boundaryComponents, closings }) {
+    codes.codeNamed(code);
+    const read = bitsFromOutside(bits.hex, bits.length);
+    return { word: codes.decodeWord(code, read, { symbols, boundaryComponents, closings }) };
+  },
+
+  'mesh.encode'({ faces, vertices, positions, code, accuracy }) {
+    codes.codeNamed(code);
+    const surface = surfaceOf(faces, vertices);
+    return { hex: Buffer.from(encodeFile(surface, positions, code, accuracy)).toString('hex') };
+  },
+
+  'mesh.decode'({ hex }) {
+    const { surface, positions } = decodeFile(hex);
+    return meshOf(positions)(surface);
+  },
+};
+
+const INTRODUCTION = {
+  protocol: 1,
+  name: 'second',
+  version: '1.0',
+  language: 'javascript',
+  ops: Object.keys(OPERATIONS),
+  caps: {
+    handles: true,
+    boundaries: 'many',
+    components: true,
+    max_faces: limits.MAX_FACES,
+    max_symbols: limits.MAX_SYMBOLS,
+    trace: ['word.encode', 'word.decode'],
+    codes: [...codes.CODES.keys()],
+    coders: ['arithmetic'],
+  },
+};
+
+module.exports = { OPERATIONS, INTRODUCTION };
