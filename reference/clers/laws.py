@@ -12,6 +12,7 @@ from clers.arithmetic import laws as arithmetic
 from clers.codes import laws as codes
 from clers.complexes import laws as complexes
 from clers.conformance import laws as conformance
+from clers.conformance.judging import laws as judging
 from clers.container import laws as container
 from clers.conventions.law import AnyLaw
 from clers.edgebreaker import laws as edgebreaker
@@ -31,7 +32,7 @@ CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
         6: codes.LAWS,
         7: geometry.LAWS,
         8: container.LAWS,
-        9: conformance.LAWS,
+        9: (*conformance.LAWS, *judging.LAWS),
         10: (*meshfile.LAWS, *pictures.LAWS),
     }
 )

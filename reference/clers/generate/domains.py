@@ -13,6 +13,7 @@ from clers.generate import (
     face_lists,
     files,
     handles,
+    judging,
     learning,
     manifolds,
     mesh_files,
@@ -57,6 +58,7 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = {
     **sheets.DOMAINS,
     **attachments.DOMAINS,
     **requests.DOMAINS,
+    **judging.DOMAINS,
     **uniform.DOMAINS,
     **tree_words.DOMAINS,
 }

@@ -16,6 +16,9 @@ COUNTS: Final = ("faces", "vertices", "components with boundary", "symbols", "ha
 
 AXES: Final = "xyz"
 
+BITS: Final = "the bits"
+"""What the last region of HAND and WORD is, and of POSN on a lattice."""
+
 
 @dataclass(frozen=True, slots=True)
 class Region:
@@ -83,4 +86,4 @@ def _numbers(
         yield Region(start, read.value.offset, part.tag, name)
         start = read.value.offset
     if start < part.stop:
-        yield Region(start, part.stop, part.tag, "the bits" if bits else "unknown")
+        yield Region(start, part.stop, part.tag, BITS if bits else "unknown")

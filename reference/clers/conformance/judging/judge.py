@@ -7,11 +7,12 @@ from msgspec import UNSET, UnsetType
 from clers.conformance.cases.case import Case, operation_of, right_result
 from clers.conformance.in_words import in_words
 from clers.conformance.judging.judged import Divergence, Judged, Status
+from clers.conformance.judging.known import Known
 from clers.conformance.judging.needs import needs
 from clers.conformance.judging.rejections import element_of, line_of, of_rejection
 from clers.conformance.judging.results import of_results
 from clers.conformance.judging.signature import breakdown, signature
-from clers.conformance.judging.steps import of_steps, walk_of
+from clers.conformance.judging.steps import of_steps
 from clers.conformance.lines import NoMessage
 from clers.conformance.messages import Introduction, Rejection, Step
 from clers.conformance.outcome import (
@@ -97,11 +98,9 @@ def _answered(case: Case, result: Result, steps: tuple[Step, ...]) -> Judged:
         why = next(found.why for found in (right, request) if isinstance(found, NoMessage))
         return _judged(case, Status.ERROR, f"the case itself is none: {why}", "case")
 
-    def walk() -> tuple[Step, ...]:
-        return walk_of(case, request)
-
-    parted = of_steps(walk() if steps else (), steps) or of_results(
-        right, result, case.compare, walk
+    known = Known(case, request)
+    parted = of_steps(known.walk() if steps else (), steps) or of_results(
+        right, result, case.compare, known
     )
     return _judged(case, Status.PASS) if parted is None else _failed(case, parted)
 

@@ -4,7 +4,7 @@ import msgspec
 
 from clers.conformance import payloads as form
 from clers.conformance.judging.judged import Divergence
-from clers.conformance.judging.parting import NOTHING, parting
+from clers.conformance.judging.parting import parting
 
 
 def of_components(right: form.Classified, got: form.Classified) -> Divergence | None:
@@ -16,8 +16,8 @@ def of_components(right: form.Classified, got: form.Classified) -> Divergence | 
         return Divergence(
             kind="component",
             place=f"component {k}",
-            expected=f"{len(right.components)} components",
-            got=f"{len(got.components)} components",
+            expected=f"{len(right.components)} in all",
+            got=f"{len(got.components)} in all",
             component=k,
         )
     expected = msgspec.structs.asdict(right.components[k])
@@ -41,29 +41,33 @@ def of_stages(right: form.Stages, got: form.Stages) -> Divergence | None:
         return Divergence(
             kind="stage",
             place=f"stage {k}",
-            expected=f"{len(right.stages)} stages",
-            got=f"{len(got.stages)} stages",
+            expected=f"{len(right.stages)} in all",
+            got=f"{len(got.stages)} in all",
             stage=k,
         )
-    what, expected, given = _parting(right.stages[k], got.stages[k])
+    kind, what, expected, given = _parting(right.stages[k], got.stages[k])
     return Divergence(
-        kind=what,
-        place=f"stage {k} ({right.stages[k].operator}), {what}",
+        kind=kind,
+        place=f"stage {k} ({right.stages[k].operator or 'the start'}), {what}",
         expected=expected,
         got=given,
         stage=k,
     )
 
 
-def _parting(right: form.StageForm, got: form.StageForm) -> tuple[str, str, str]:
+def _parting(right: form.StageForm, got: form.StageForm) -> tuple[str, str, str, str]:
+    """What kind of thing differs, what it is, and the two of it."""
     if right.operator != got.operator:
-        return "operator", right.operator, got.operator
+        return "operator", "the operator", right.operator or NONE, got.operator or NONE
     for name in dict.fromkeys((*right.numbers, *got.numbers)):
-        if right.numbers.get(name) != got.numbers.get(name):
-            expected, given = right.numbers.get(name), got.numbers.get(name)
-            return (
-                "number",
-                f"{name} {NOTHING if expected is None else expected}",
-                f"{name} {NOTHING if given is None else given}",
-            )
-    return "idle", right.idle or "done", got.idle or "done"
+        expected, given = right.numbers.get(name), got.numbers.get(name)
+        if expected != given:
+            return "number", name, _said(expected), _said(given)
+    return "idle", "why nothing was done", right.idle or "it was done", got.idle or "it was done"
+
+
+def _said(number: int | None) -> str:
+    return NONE if number is None else str(number)
+
+
+NONE = "none"

@@ -2,10 +2,13 @@
 
 from collections.abc import Sequence
 
+from msgspec import UNSET, UnsetType
+
 from clers.conformance import payloads as form
 from clers.conformance.judging.judged import Divergence
-from clers.conformance.judging.parting import NOTHING, listed, parting, shown
+from clers.conformance.judging.parting import NOTHING, parting, shown
 from clers.conformance.judging.steps import Walk, unknown
+from clers.conformance.messages import Step
 from clers.conformance.numbers import from_wire
 
 
@@ -25,23 +28,21 @@ def of_word(right: str, got: str, walk: Walk = unknown) -> Divergence | None:
     if i is None:
         return None
     step = next((step for step in walk() if step.i == i), None)
-    if step is None:
-        return Divergence(
-            kind="symbol",
-            place=f"symbol {i}",
-            expected=shown(right, i),
-            got=shown(got, i),
-            symbol=i,
-        )
-    gate = listed(step.gate) if isinstance(step.gate, tuple) else ""
     return Divergence(
         kind="symbol",
-        place=f"symbol {i}, at face {step.face}, gate {gate}",
+        place=f"symbol {i}" + ("" if step is None else _standing(step)),
         expected=shown(right, i),
         got=shown(got, i),
         symbol=i,
-        face=step.face,
+        face=UNSET if step is None else step.face,
     )
+
+
+def _standing(step: Step) -> str:
+    """Where the walk stands, as far as the step says it."""
+    face = "" if isinstance(step.face, UnsetType) else f", at face {step.face}"
+    gate = "" if isinstance(step.gate, UnsetType) else f", gate {step.gate[0]}→{step.gate[1]}"
+    return face + gate
 
 
 def _record(h: form.HandleForm) -> tuple[str, int, int, str]:

@@ -2,14 +2,11 @@
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
-from types import MappingProxyType
+from dataclasses import dataclass, field
 
 from clers.conformance.cases.case import Case
 from clers.conformance.judging.judged import GOOD, Judged, Status
 from clers.conformance.messages import Introduction
-
-NO_NOTES: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +34,7 @@ class Report:
     adapter: Introduction
     command: tuple[str, ...]
     rulings: tuple[Ruling, ...]
-    notes: Mapping[str, str] = NO_NOTES
+    notes: Mapping[str, str] = field(default_factory=dict)
     unfinished: str = ""
 
     def counts(self) -> Mapping[Status, int]:
