@@ -7,7 +7,7 @@ from judged_by_hand import divergence_of, judged_of, numbers_of, right_of
 from clers.conformance import messages as message
 from clers.conformance import payloads as form
 from clers.conformance.judging.judged import Status
-from clers.conformance.messages import Operation, Step
+from clers.conformance.messages import Step
 from clers.conformance.results import Result
 from clers.conformance.samples import FACES, SAMPLES
 
@@ -366,14 +366,10 @@ def test_right_steps_lead_on_to_the_result(steps: tuple[Step, ...]) -> None:
     assert divergence_of(SAMPLES["word.decode"], replace(MESH, vertices=5), steps).got == "5"
 
 
-def _mesh_decode() -> Operation:
-    return SAMPLES["mesh.decode"]
-
-
 def test_the_symbol_of_a_face_is_taken_from_the_file() -> None:
     """Clauses: ORCL-DIVERGE-2, ORCL-DIVERGE-5."""
     wrong = form.MeshForm(faces=(*FACES[:2], (0, 1, 3), FACES[3]), vertices=4)
-    found = divergence_of(_mesh_decode(), wrong)
+    found = divergence_of(SAMPLES["mesh.decode"], wrong)
     assert found.place == "face 2, made by symbol 1 (R)"
 
 

@@ -6,6 +6,7 @@ from msgspec import UNSET, UnsetType
 
 from clers.conformance.cases.case import Case, operation_of, right_result
 from clers.conformance.in_words import in_words
+from clers.conformance.judging.isomorphic import Undecidable
 from clers.conformance.judging.judged import Divergence, Judged, Status
 from clers.conformance.judging.known import Known
 from clers.conformance.judging.needs import needs
@@ -89,7 +90,7 @@ def _failed(case: Case, divergence: Divergence) -> Judged:
 
 
 def _answered(case: Case, result: Result, steps: tuple[Step, ...]) -> Judged:
-    """Clauses: ORCL-JUDGE-2, ORCL-JUDGE-3, ORCL-JUDGE-7, ORCL-JUDGE-9."""
+    """Clauses: ORCL-JUDGE-2, ORCL-JUDGE-3, ORCL-JUDGE-7, ORCL-JUDGE-9, ORCL-JUDGE-10."""
     if not isinstance(case.reject, UnsetType):
         return _failed(case, _not_rejected(case.reject, result))
     right = right_result(case)
@@ -102,7 +103,15 @@ def _answered(case: Case, result: Result, steps: tuple[Step, ...]) -> Judged:
     parted = of_steps(known.walk() if steps else (), steps) or of_results(
         right, result, case.compare, known
     )
-    return _judged(case, Status.PASS) if parted is None else _failed(case, parted)
+    match parted:
+        case None:
+            return _judged(case, Status.PASS)
+        case Divergence():
+            return _failed(case, parted)
+        case Undecidable(why):
+            return _judged(case, Status.ERROR, f"undecided: {why}", "undecided")
+        case _:
+            assert_never(parted)
 
 
 def _not_rejected(right: Rejection, got: Result) -> Divergence:

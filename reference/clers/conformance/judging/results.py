@@ -5,7 +5,7 @@ from clers.conformance.cases.case import Comparison
 from clers.conformance.judging.bits import of_bits
 from clers.conformance.judging.faces import of_mesh
 from clers.conformance.judging.files import of_file
-from clers.conformance.judging.isomorphic import of_isomorphic
+from clers.conformance.judging.isomorphic import Undecidable, of_isomorphic
 from clers.conformance.judging.judged import Divergence
 from clers.conformance.judging.known import Known
 from clers.conformance.judging.surfaces import of_components, of_stages
@@ -15,10 +15,12 @@ from clers.conformance.judging.words import of_encoding, of_word
 from clers.conformance.results import Result
 
 
-def of_results(right: Result, got: Result, compare: Comparison, known: Known) -> Divergence | None:
-    """The first place where a result is not as it should be, or None. Total.
+def of_results(
+    right: Result, got: Result, compare: Comparison, known: Known
+) -> Divergence | Undecidable | None:
+    """The first place where a result is not as it should be, if there is one. Total.
 
-    Clauses: ORCL-JUDGE-2, ORCL-JUDGE-3, ORCL-JUDGE-4, ORCL-DIVERGE-1 … ORCL-DIVERGE-10.
+    Clauses: ORCL-JUDGE-2, ORCL-JUDGE-3, ORCL-JUDGE-4, ORCL-DIVERGE-1 … ORCL-DIVERGE-12.
     """
     match right, got:
         case form.Classified(), form.Classified():
@@ -36,7 +38,7 @@ def of_results(right: Result, got: Result, compare: Comparison, known: Known) ->
         case form.FileForm(), form.FileForm():
             return of_file(right, got)
         case form.Faces(), form.Faces() if compare == "isomorphic":
-            return of_isomorphic(right, got)
+            return of_isomorphic(right, got, known.request)
         case form.Faces(), form.Faces():
             return of_mesh(right, got, known.walk)
         case dict(), dict():
