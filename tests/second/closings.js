@@ -38,10 +38,11 @@ function closingsOf(word, records) {
   const closers = placesOf(word, 'RLE');
   const edges = { right: edgesOf(word, 'right'), left: edgesOf(word, 'left') };
   const closings = [];
-  let splitAfter = splits.length; // the S met before, going backwards
+  let splitAfter = splits.length; // the S of the record met before, going backwards
   for (let record = records.length - 1; record >= 0; record -= 1) {
     const { kind, s, at, side } = records[record];
-    const good = s >= 0 && s < splitAfter && at >= 0 && at < closers.length
+    const increasing = record === 0 || s > records[record - 1].s;
+    const good = s >= 0 && s < splits.length && increasing && at >= 0 && at < closers.length
       && SIDE_SYMBOLS[side].includes(word[closers[at]]) && closers[at] > splits[s];
     if (!good) reject('not-representable', 'CODE-HAND-2', { record });
     const between = placesBefore(edges[side], closers[at]) - placesBefore(edges[side], splits[s]);

@@ -19,12 +19,15 @@ function surfaceOf(faces, vertices) {
 }
 
 function vertexTable(faces, vertices) {
-  faces.forEach((face, place) => {
-    if (face.some((index) => index < 0 || index >= vertices)) {
-      reject('index-out-of-range', 'CPLX-REJECT-3', { face: place });
+  const vertex = new Int32Array(3 * faces.length);
+  for (let face = 0; face < faces.length; face += 1) {
+    for (let place = 0; place < 3; place += 1) {
+      const index = faces[face][place];
+      if (index < 0 || index >= vertices) reject('index-out-of-range', 'CPLX-REJECT-3', { face });
+      vertex[3 * face + place] = index;
     }
-  });
-  return Int32Array.from(faces.flat());
+  }
+  return vertex;
 }
 
 function rejectRepeatedIndices(vertex) {

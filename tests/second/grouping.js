@@ -3,28 +3,38 @@
 
 const { next, previous } = require('./corners.js');
 
-/** The places in an order, put in order by their keys, which are from 0 to size - 1; equal keys keep their order. */
-function sortBy(order, keys, size) {
-  const starts = new Int32Array(size + 1);
-  for (const key of keys) starts[key + 1] += 1;
-  for (let value = 0; value < size; value += 1) starts[value + 1] += starts[value];
+const DIGIT = 13; // binary digits in one pass
+
+/** One pass: the places in an order, put in order by a digit of their keys; equal digits keep their order. */
+function sortByDigit(order, keys, shift) {
+  const mask = 2 ** DIGIT - 1;
+  const starts = new Int32Array(2 ** DIGIT + 1);
+  for (let place = 0; place < keys.length; place += 1) starts[((keys[place] >> shift) & mask) + 1] += 1;
+  for (let value = 0; value < 2 ** DIGIT; value += 1) starts[value + 1] += starts[value];
   const sorted = new Int32Array(order.length);
-  for (const place of order) {
-    sorted[starts[keys[place]]] = place;
-    starts[keys[place]] += 1;
+  for (let rank = 0; rank < order.length; rank += 1) {
+    const digit = (keys[order[rank]] >> shift) & mask;
+    sorted[starts[digit]] = order[rank];
+    starts[digit] += 1;
   }
   return sorted;
 }
 
 /**
- * Calls `visit(sorted, start, stop)` for each group of places that agree in all columns of keys. Within a group the
+ * Calls `visit(sorted, start, stop)` for each group of places that agree in all columns of keys, which are below `size`. Within a group the
  * places are in increasing order.
  */
 function forEachGroup(columns, size, visit) {
   const count = columns[0].length;
-  let sorted = Int32Array.from({ length: count }, (_, place) => place);
-  for (const keys of columns) sorted = sortBy(sorted, keys, size);
-  const alike = (one, other) => columns.every((keys) => keys[one] === keys[other]);
+  let sorted = new Int32Array(count);
+  for (let place = 0; place < count; place += 1) sorted[place] = place;
+  for (const keys of columns) {
+    for (let shift = 0; 2 ** shift < size; shift += DIGIT) sorted = sortByDigit(sorted, keys, shift);
+  }
+  const alike = (one, other) => {
+    for (const keys of columns) if (keys[one] !== keys[other]) return false;
+    return true;
+  };
   let start = 0;
   for (let stop = 1; stop <= count; stop += 1) {
     if (stop < count && alike(sorted[stop], sorted[start])) continue;

@@ -9,6 +9,8 @@ const { decodeFile, encodeFile } = require('./container/file.js');
 const { surfaceOf } = require('./face_list.js');
 const limits = require('./limits.js');
 const { modelFromOutside } = require('./models.js');
+const range = require('./range_coder.js');
+const rans = require('./rans.js');
 const { Unsupported } = require('./rejection.js');
 const { decodeStream } = require('./unwind.js');
 const { encodeSurface } = require('./walk.js');
@@ -18,9 +20,7 @@ const faceList = (surface) => ({ faces: surface.triangles(), vertices: surface.v
 const streamOf = (input) => (
   { word: input.word, records: input.handles, boundaryComponents: input.components_with_boundary });
 
-function checkCoder(coder) {
-  if (coder !== 'arithmetic') throw new Unsupported(`coder.${coder}`);
-}
+const CODERS = { arithmetic, range, rans };
 
 function checkSymbols(count) {
   if (count > limits.MAX_SYMBOLS) throw new Unsupported('max_symbols'); // ORCL-SERVE-1
@@ -37,16 +37,14 @@ const OPERATIONS = {
   'surface.classify': ({ faces, vertices }) => ({ components: classify(surfaceOf(faces, vertices)) }),
 
   'arithmetic.encode'({ coder, model, symbols }) {
-    checkCoder(coder);
-    return bitString(arithmetic.encodeMessage(modelFromOutside(model), symbols));
+    return bitString(CODERS[coder].encodeMessage(modelFromOutside(model), symbols));
   },
 
   'arithmetic.decode'({ coder, model, bits, count }) {
-    checkCoder(coder);
     const read = bitsFromOutside(bits.hex, bits.length);
     const from = modelFromOutside(model);
     checkSymbols(count);
-    return { symbols: arithmetic.decodeMessage(from, read, count) };
+    return { symbols: CODERS[coder].decodeMessage(from, read, count) };
   },
 
   'word.encode'({ faces, vertices }, trace) {
@@ -95,7 +93,7 @@ const INTRODUCTION = {
     max_symbols: limits.MAX_SYMBOLS,
     trace: ['word.encode', 'word.decode'],
     codes: [...codes.CODES.keys()],
-    coders: ['arithmetic'],
+    coders: Object.keys(CODERS),
   },
 };
 

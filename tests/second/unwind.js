@@ -6,35 +6,13 @@
 
 const { BORDER, Surface, forEachCornerAround, next, previous } = require('./corners.js');
 const { forEachEdge, forEachTriangle } = require('./grouping.js');
+const { Loops } = require('./loops.js');
 const { reject } = require('./rejection.js');
 const { scan } = require('./stream.js');
 
 const UNGLUED = -2;
 const RIGHT = 1;
 const LEFT = 2;
-
-/** The loops of the region as rings of edges. */
-class Loops {
-  constructor(edges) {
-    this.after = new Int32Array(edges);
-    this.before = new Int32Array(edges);
-  }
-
-  join(one, other) {
-    this.after[one] = other;
-    this.before[other] = one;
-  }
-
-  /** Whether the loop of an edge has fewer edges than so many. */
-  shorter(edge, length) {
-    let here = edge;
-    for (let step = 1; step < length; step += 1) {
-      here = this.after[here];
-      if (here === edge) return true;
-    }
-    return false;
-  }
-}
 
 class Unwinding {
   constructor(stream) {

@@ -2,9 +2,14 @@
 // The codes of words by name (CODE-NAME-1), and the symbol that is implied (CODE-IMPLIED-1, CODE-IMPLIED-2).
 
 const { adaptive } = require('./adaptive.js');
+const best = require('./best.js');
+const context = require('./context.js');
+const enumerative = require('./enumerative.js');
 const golden = require('./golden.js');
 const huffman = require('./huffman.js');
 const kingRossignac = require('./king_rossignac.js');
+const { minimax } = require('./minimax.js');
+const { MINIMAX_3, MINIMAX_8 } = require('./minimax_tables.js');
 const plain = require('./plain.js');
 const { Rejection, Unsupported, reject } = require('../rejection.js');
 
@@ -16,6 +21,11 @@ const CODES = new Map([
   ['adaptive-1', adaptive(1)],
   ['adaptive-3', adaptive(3)],
   ['adaptive-6', adaptive(6)],
+  ['minimax-3', minimax(MINIMAX_3)],
+  ['minimax-8', minimax(MINIMAX_8)],
+  ['context', context],
+  ['enumerative', enumerative],
+  ['best', best],
 ]);
 
 function codeNamed(name) {
@@ -43,16 +53,17 @@ function encodeWord(name, stream) {
   const { word, boundaryComponents } = stream;
   const implied = impliedIn(boundaryComponents);
   if (!word.startsWith(implied)) reject('not-in-alphabet', 'CODE-IMPLIED-2', { symbol: 0 });
-  return countingImplied(implied, () => code.encode(word.slice(implied.length), implied));
+  return countingImplied(implied, () => code.encode(word.slice(implied.length), implied, stream));
 }
 
-function decodeWord(name, bits, { symbols, boundaryComponents }) {
+function decodeWord(name, bits, told) {
+  const { symbols, boundaryComponents } = told;
   const code = codeNamed(name);
   const implied = impliedIn(boundaryComponents);
   if (symbols < implied.length) reject('empty-word', 'CODE-IMPLIED-2');
   // CODE-NAME-3: before anything else, so that no memory is used for symbols that cannot be there.
   if (symbols > code.mostSymbols(bits.length)) reject('truncated-bits', 'CODE-NAME-3');
-  return implied + countingImplied(implied, () => code.decode(bits, symbols - implied.length, implied));
+  return implied + countingImplied(implied, () => code.decode(bits, symbols - implied.length, implied, told));
 }
 
 module.exports = { CODES, codeNamed, encodeWord, decodeWord };
