@@ -7,13 +7,31 @@ import msgspec
 from msgspec import UnsetType
 
 from clers.conformance.cases.case import Case
-from clers.oracle.negatives import grammar, surfaces, words
+from clers.oracle.negatives import (
+    codes,
+    files,
+    grammar,
+    limits,
+    meshes,
+    messages,
+    payloads,
+    scripts,
+    surfaces,
+    words,
+)
 from clers.oracle.negatives.draft import Draft
 
 FAMILIES: Final[Mapping[str, Callable[[], Iterable[Draft]]]] = {
     "surfaces": surfaces.drafts,
     "words": words.drafts,
     "grammar": grammar.drafts,
+    "messages": messages.drafts,
+    "codes": codes.drafts,
+    "files": files.drafts,
+    "payloads": payloads.drafts,
+    "limits": limits.drafts,
+    "meshes": meshes.drafts,
+    "scripts": scripts.drafts,
 }
 """Each family by its name."""
 

@@ -78,16 +78,16 @@ def bad(
     flags: Sequence[str] = (),
     requires: Sequence[str] = (),
     sealed: bool = False,
-    slug: str = "",
+    size: int = 0,
 ) -> Draft:
     """The case of a good one's input after these edits, which is rejected for this reason.
 
     The reason and the clause are the writer's; the reference must agree, and adds the element.
-    `requires` is what it needs beyond its parent. Clauses: ORCL-FAULT-1, ORCL-FAULT-2.
+    `requires` and `size` are what it needs beyond its parent. Clauses: ORCL-FAULT-1, ORCL-FAULT-2.
     """
     draft = spoilt(
         parent, kind, edits,
-        flags=flags, requires=requires, sealed=sealed, slug=slug,
+        flags=flags, requires=requires, sealed=sealed, size=size,
     )  # fmt: skip
     reject = draft.case.reject
     wanted = (str(reason), str(clause))
@@ -104,8 +104,7 @@ def spoilt(
     flags: Sequence[str] = (),
     requires: Sequence[str] = (),
     sealed: bool = False,
-    slug: str = "",
-    origin: Origin | None = None,
+    size: int = 0,
 ) -> Draft:
     """The case of a good one's input after these edits, whatever the reference says to it.
 
@@ -115,11 +114,11 @@ def spoilt(
     after = edited(before.input, edits, sealed=sealed)
     if isinstance(after, NoEdit):
         raise Slip(f"{parent.slug} {kind}: {after.why}")
-    words = slug or f"{parent.slug}-{kind}"
+    words = f"{parent.slug}-{kind}"
     case = msgspec.structs.replace(
         before,
-        origin=origin or before.origin,
         requires=tuple(sorted({*before.requires, *requires})),
+        size=max(before.size, size),
         flags=tuple(flags),
         input=after,
         ok=UNSET,

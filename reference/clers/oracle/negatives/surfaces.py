@@ -93,7 +93,8 @@ def drafts() -> Iterator[Draft]:
             yield bad(by_name[name], kind, edits, reason, clause, flags=flags)
 
 
-R, C = Reason, Clause
+C = Clause
+R = Reason
 Row = tuple[str, str, tuple[Edit, ...], Reason, Clause, tuple[str, ...]]
 
 FAULTS: Final[tuple[Row, ...]] = (
