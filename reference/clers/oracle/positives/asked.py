@@ -1,6 +1,5 @@
 """A request that is to be a case, and the case with the reference's answer. Clause: ORCL-CASE-1."""
 
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
@@ -9,7 +8,7 @@ from msgspec import Raw
 
 from clers.complexes.surface import Surface
 from clers.complexes.topology import components
-from clers.conformance.cases.case import Case, Origin
+from clers.conformance.cases.case import Case, Comparison, Origin
 from clers.conformance.cases.identity import named
 from clers.conformance.messages import EventReply, OkReply, Operation
 from clers.conformance.serve import serve
@@ -34,6 +33,7 @@ class Asked:
     size: int = 0
     flags: tuple[str, ...] = ()
     comment: str = ""
+    compare: Comparison = "exact"
 
 
 def answered(asked: Asked) -> Case:
@@ -56,22 +56,18 @@ def answered(asked: Asked) -> Case:
         input=Raw(msgspec.json.encode(asked.request.input)),
         ok=last.ok,
         trace=tuple(event.ev for event in events if isinstance(event, EventReply)),
+        compare=asked.compare,
         comment=asked.comment,
     )
     return named(asked.slug, case)
 
 
-def cases(asked: Iterable[Asked]) -> Iterator[Case]:
-    """The cases of requests, one after another."""
-    return map(answered, asked)
-
-
 def needed(surface: Surface) -> tuple[str, ...]:
-    """The capabilities that a surface needs. Clause: ORCL-CASE-4."""
+    """The capabilities that a surface needs, by the alphabet. Clause: ORCL-CASE-4."""
     parts = components(surface)
     curves = sum(part.curves for part in parts)
     return (
-        *(["handles"] if any(part.genus for part in parts) else []),
         *(["boundaries.one" if curves == 1 else "boundaries.many"] if curves else []),
         *(["components"] if len(parts) > 1 else []),
+        *(["handles"] if any(part.genus for part in parts) else []),
     )

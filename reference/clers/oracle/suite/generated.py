@@ -1,6 +1,6 @@
 """The whole suite, made anew: every case with its profile, and the files. Clause: ORCL-SUITE-5."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Final
 
@@ -8,12 +8,16 @@ from msgspec import UNSET
 
 from clers.conformance.cases.case import Case
 from clers.conventions.result import Accepted, Rejected
+from clers.oracle.negatives import FLAGS as FLAGS_OF_NEGATIVES
+from clers.oracle.negatives import negatives
 from clers.oracle.positives.all_families import FAMILIES
 from clers.oracle.positives.asked import answered
+from clers.oracle.positives.flags import FLAGS
 from clers.oracle.suite.files import MANIFEST, Suite, read_bytes, read_unsealed
 from clers.oracle.suite.profiles import profile_of
+from clers.oracle.suite.records import Flag
 from clers.oracle.suite.rendered import parts_of, suite_files
-from clers.oracle.suite.retiring import Reused, Unretired, retire, slug_in
+from clers.oracle.suite.retiring import Reused, Unretired, retire
 from clers.oracle.suite.written import present
 
 INPUTS: Final = "inputs/"
@@ -55,15 +59,20 @@ def all_cases(
         for asked in family(inputs):
             case = answered(asked)
             found.setdefault(case.id, (profile_of(case), case))
+    step("negatives")
+    parents = {name: case for name, (_, case) in found.items()}
+    for profile, _, case in negatives(parents):
+        found.setdefault(case.id, (profile, case))
     return tuple(found.values())
 
 
-def parents_of(cases: Iterable[Case]) -> dict[str, Case]:
-    """Cases by operation and slug, `word.decode tetrahedron`; of several the first."""
-    found: dict[str, Case] = {}
-    for case in cases:
-        found.setdefault(f"{case.op} {slug_in(case.id)}", case)
-    return found
+def all_flags() -> tuple[Flag, ...]:
+    """Every flag that cases may have, explained. Clause: ORCL-CASE-5."""
+    others = (
+        Flag(name=name, mistake=mistake, matters=matters)
+        for name, (mistake, matters) in FLAGS_OF_NEGATIVES.items()
+    )
+    return (*FLAGS, *others)
 
 
 def generate(
@@ -86,4 +95,4 @@ def generate(
     if isinstance(gone, Unretired | Reused):
         return gone
     score = old.manifest.mutation if old else UNSET
-    return suite_files(parts_of(cases), (), gone, (), inputs, score)
+    return suite_files(parts_of(cases), all_flags(), gone, (), inputs, score)
