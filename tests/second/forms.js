@@ -114,7 +114,7 @@ const accuracy = byKind({
   error: object({ kind: any, bound: number }),
 });
 
-/** The form of `in` for each operation (ORCL-OP-1 to ORCL-OP-7). */
+/** The form of `in` for each operation (ORCL-OP-1 to ORCL-OP-8). */
 const INPUTS = {
   echo: anyObject,
   'surface.classify': object(connectivity),
@@ -129,6 +129,7 @@ const INPUTS = {
   ),
   'mesh.encode': object({ ...connectivity, positions, code: text, accuracy }, { positions: null }),
   'mesh.decode': object({ hex: bytes }),
+  'codec.roundtrip': object({ ...connectivity, positions }, { positions: null }),
 };
 
 module.exports = { FormError, INPUTS, count, isObject };

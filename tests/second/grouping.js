@@ -21,8 +21,8 @@ function sortByDigit(order, keys, shift) {
 }
 
 /**
- * Calls `visit(sorted, start, stop)` for each group of places that agree in all columns of keys, which are below `size`. Within a group the
- * places are in increasing order.
+ * Calls `visit(sorted, start, stop)` for each group of places that agree in all columns of keys. The keys are below
+ * `size`. Within a group the places are in increasing order.
  */
 function forEachGroup(columns, size, visit) {
   const count = columns[0].length;

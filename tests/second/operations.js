@@ -1,5 +1,5 @@
 'use strict';
-// The operations of the protocol (ORCL-OP-1 to ORCL-OP-7) and what this adapter says of itself (ORCL-HELLO-2).
+// The operations of the protocol (ORCL-OP-1 to ORCL-OP-8) and what this adapter says of itself (ORCL-HELLO-2).
 
 const arithmetic = require('./arithmetic.js');
 const { bitsFromOutside } = require('./bits.js');
@@ -26,8 +26,8 @@ function checkSymbols(count) {
   if (count > limits.MAX_SYMBOLS) throw new Unsupported('max_symbols'); // ORCL-SERVE-1
 }
 
-function meshOf(positions) {
-  return (surface) => (positions === null ? faceList(surface) : { ...faceList(surface), positions });
+function meshOf({ surface, positions }) {
+  return positions === null ? faceList(surface) : { ...faceList(surface), positions };
 }
 
 /** Each operation takes its input, and `trace`, which is called with each entry of a walk. */
@@ -48,9 +48,14 @@ const OPERATIONS = {
   },
 
   'word.encode'({ faces, vertices }, trace) {
-    const { word, records, boundaryComponents, vertexOrder, trace: entries } = encodeSurface(surfaceOf(faces, vertices));
-    entries.forEach(trace);
-    return { word, handles: records, components_with_boundary: boundaryComponents, vertex_order: vertexOrder };
+    const encoded = encodeSurface(surfaceOf(faces, vertices));
+    encoded.trace.forEach(trace);
+    return {
+      word: encoded.word,
+      handles: encoded.records,
+      components_with_boundary: encoded.boundaryComponents,
+      vertex_order: encoded.vertexOrder,
+    };
   },
 
   'word.decode'(input, trace) {
@@ -73,9 +78,10 @@ const OPERATIONS = {
     return { hex: Buffer.from(encodeFile(surface, positions, code, accuracy)).toString('hex') };
   },
 
-  'mesh.decode'({ hex }) {
-    const { surface, positions } = decodeFile(hex);
-    return meshOf(positions)(surface);
+  'mesh.decode': ({ hex }) => meshOf(decodeFile(hex)),
+
+  'codec.roundtrip'({ faces, vertices, positions }) {
+    return meshOf(decodeFile(encodeFile(surfaceOf(faces, vertices), positions, 'golden', { kind: 'exact' })));
   },
 };
 

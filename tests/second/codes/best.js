@@ -50,7 +50,8 @@ module.exports = {
     if (symbols + implied.length > code.mostSymbols(rest.length)) reject('truncated-bits', 'CODE-NAME-3');
     const word = code.decode(rest, symbols, implied, told);
     const whole = implied + word;
-    const stream = { word: whole, records: recordsOf(whole, told.closings), boundaryComponents: told.boundaryComponents };
+    const records = recordsOf(whole, told.closings);
+    const stream = { word: whole, records, boundaryComponents: told.boundaryComponents };
     const [shortest] = selected(encode(word, implied, stream));
     if (shortest !== selector) reject('not-canonical', 'CODE-BEST-2');
     return word;

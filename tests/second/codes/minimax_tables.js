@@ -1,6 +1,6 @@
 'use strict';
-// The tables of `minimax-k`. A row is a context; an entry for C, L, E, R and S each is a frequency and the context after
-// the symbol, and - is not in the alphabet.
+// The tables of `minimax-k`. A row is a context; an entry for C, L, E, R and S each is a frequency and the
+// context after the symbol, and - is not in the alphabet.
 
 /** CODE-MINIMAX-2. */
 const MINIMAX_3 = [
