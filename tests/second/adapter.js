@@ -34,9 +34,9 @@ function answer(request, id) {
   const wanted = request.trace === 'full';
   if (request.trace !== undefined && !wanted && request.trace !== 'none') throw new FormError('/trace: full or none');
   const input = INPUTS[request.op](request.in, '/in');
-  // ORCL-EVENT-1
-  const trace = (entry) => { if (wanted) say({ id, ev: entry }); };
-  trace.wanted = wanted;
+  const trace = (entries) => { // ORCL-EVENT-1
+    if (wanted) for (const entry of entries()) say({ id, ev: entry });
+  };
   return { ok: OPERATIONS[request.op](input, trace) };
 }
 

@@ -30,7 +30,7 @@ function meshOf({ surface, positions }) {
   return positions === null ? faceList(surface) : { ...faceList(surface), positions };
 }
 
-/** Each operation takes its input, and `trace`, which is called with each entry of a walk. */
+/** Each operation takes its input, and `trace`, which is told how to make the entries of a walk (EB-TRACE-1). */
 const OPERATIONS = {
   echo: (input) => input,
 
@@ -49,7 +49,7 @@ const OPERATIONS = {
 
   'word.encode'({ faces, vertices }, trace) {
     const encoded = encodeSurface(surfaceOf(faces, vertices));
-    encoded.trace.forEach(trace);
+    trace(() => encoded.trace);
     return {
       word: encoded.word,
       handles: encoded.records,
@@ -60,7 +60,7 @@ const OPERATIONS = {
 
   'word.decode'(input, trace) {
     const surface = decodeStream(streamOf(input));
-    if (trace.wanted) encodeSurface(surface).trace.forEach(trace); // EB-DECODE-1: the same walk
+    trace(() => encodeSurface(surface).trace); // EB-DECODE-1: the same walk
     return faceList(surface);
   },
 
