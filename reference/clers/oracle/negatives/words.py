@@ -6,7 +6,7 @@ accepts is a word that nobody encoded, and kept too.
 """
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
 import msgspec
@@ -159,13 +159,9 @@ def _off(what: str, by: int) -> str:
 def changed(parent: Draft, stream: Stream) -> Iterator[Draft]:
     """The cases of a stream's changes, at most so many of those alike. Clause: ORCL-FAULT-1."""
     seen: Counter[tuple[str, str, str]] = Counter()
-    for ways, flag in (
-        (word_changes(stream.word), "unchecked-word"),
-        (record_changes(stream), "unchecked-record"),
-        (count_changes(stream), "unchecked-boundary-count"),
-    ):
+    for ways in (word_changes(stream.word), record_changes(stream), count_changes(stream)):
         for kind, edit in ways:
-            draft = spoilt(parent, kind, (edit,), requires=_asked(edit), flags=(flag,))
+            draft = spoilt(parent, kind, (edit,), requires=_asked(edit))
             reject = draft.case.reject
             if isinstance(reject, UnsetType):
                 yield from survived(draft)
@@ -174,7 +170,26 @@ def changed(parent: Draft, stream: Stream) -> Iterator[Draft]:
             alike = (way, reject.reason, reject.clause)
             seen[alike] += 1
             if seen[alike] <= KEPT:
-                yield draft
+                flags = (FLAG_OF[reject.reason],)
+                yield draft._replace(case=msgspec.structs.replace(draft.case, flags=flags))
+
+
+FLAG_OF: Final[Mapping[str, str]] = {
+    Reason.EMPTY_WORD: "empty-input",
+    Reason.UNFINISHED_WORD: "end-of-word-not-checked",
+    Reason.TOO_FEW_COMPONENTS: "components-not-counted",
+    Reason.RECORD_ORDER: "records-in-any-order",
+    Reason.RECORD_OUT_OF_RANGE: "record-out-of-range-used",
+    Reason.RECORD_SIDE: "side-not-checked",
+    Reason.RECORD_OUTSIDE_BRANCH: "branch-not-checked",
+    Reason.EDGE_CLOSED_TWICE: "edge-glued-twice",
+    Reason.LOOP_TOO_SHORT: "short-loop-glued",
+    Reason.LOOP_NOT_CLOSED: "open-loop-left",
+    Reason.NOT_A_CURVE: "handle-taken-for-curve",
+    Reason.REPEATED_VERTEX: "result-not-simplicial",
+    Reason.DOUBLE_EDGE: "result-not-simplicial",
+}
+"""The mistake that a stream rejected for this reason brings to light. Clause: ORCL-FLAG-1."""
 
 
 def survived(draft: Draft) -> Iterator[Draft]:
