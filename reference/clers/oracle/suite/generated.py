@@ -1,6 +1,6 @@
 """The whole suite, made anew: every case with its profile, and the files. Clause: ORCL-SUITE-5."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Final
 
@@ -9,10 +9,11 @@ from msgspec import UNSET
 from clers.conformance.cases.case import Case
 from clers.conventions.result import Accepted, Rejected
 from clers.oracle.negatives import FLAGS as FLAGS_OF_NEGATIVES
-from clers.oracle.negatives import negatives
+from clers.oracle.negatives import canaries, negatives
 from clers.oracle.positives.all_families import FAMILIES
 from clers.oracle.positives.asked import answered
 from clers.oracle.positives.flags import FLAGS
+from clers.oracle.suite.adding import Found, shrunk
 from clers.oracle.suite.files import MANIFEST, Suite, read_bytes, read_unsealed
 from clers.oracle.suite.profiles import profile_of
 from clers.oracle.suite.records import Flag
@@ -47,7 +48,7 @@ def before(folder: Path) -> Accepted[Suite | None] | Rejected:
 
 
 def all_cases(
-    inputs: Mapping[str, bytes], step: Callable[[str], None]
+    inputs: Mapping[str, bytes], findings: Sequence[Found], step: Callable[[str], None]
 ) -> tuple[tuple[str, Case], ...]:
     """Every case with its profile, positives before negatives. Clause: ORCL-SUITE-5.
 
@@ -59,6 +60,8 @@ def all_cases(
         for asked in family(inputs):
             case = answered(asked)
             found.setdefault(case.id, (profile_of(case), case))
+    for one in findings:
+        found.setdefault(one.case.id, (one.profile, one.case))
     step("negatives")
     parents = {name: case for name, (_, case) in found.items()}
     for profile, _, case in negatives(parents):
@@ -68,11 +71,7 @@ def all_cases(
 
 def all_flags() -> tuple[Flag, ...]:
     """Every flag that cases may have, explained. Clause: ORCL-CASE-5."""
-    others = (
-        Flag(name=name, mistake=mistake, matters=matters)
-        for name, (mistake, matters) in FLAGS_OF_NEGATIVES.items()
-    )
-    return (*FLAGS, *others)
+    return (*FLAGS, *FLAGS_OF_NEGATIVES)
 
 
 def generate(
@@ -80,12 +79,15 @@ def generate(
     old: Suite | None,
     reason: str = "",
     step: Callable[[str], None] = lambda _: None,
-) -> Files | Unretired | Reused:
+) -> Files | Unretired | Reused | Rejected:
     """The files of the suite; of the old one its score and what is retired are kept.
 
-    Clauses: ORCL-SUITE-5, ORCL-SUITE-6.
+    Rejected where a file of the inputs is none. Clauses: ORCL-SUITE-5, ORCL-SUITE-6.
     """
-    cases = all_cases(inputs, step)
+    findings = shrunk(inputs)
+    if isinstance(findings, Rejected):
+        return findings
+    cases = all_cases(inputs, findings.value, step)
     gone = retire(
         old.cases if old else (),
         tuple(case for _, case in cases),
@@ -95,4 +97,4 @@ def generate(
     if isinstance(gone, Unretired | Reused):
         return gone
     score = old.manifest.mutation if old else UNSET
-    return suite_files(parts_of(cases), all_flags(), gone, (), inputs, score)
+    return suite_files(parts_of(cases), all_flags(), gone, canaries(), inputs, score)

@@ -67,15 +67,15 @@ def parts_of(cases: Iterable[tuple[str, Case]]) -> tuple[Part, ...]:
     )
 
 
-def _rows(head: str, rows: Sequence[object]) -> bytes:
+def rows(head: str, elements: Sequence[object]) -> bytes:
     """A JSON object whose last key is an array with one element a line."""
-    lines = b",\n".join(map(msgspec.json.encode, rows))
-    return b"%b[%b]}\n" % (head.encode(), b"\n%b\n" % lines if rows else b"")
+    lines = b",\n".join(map(msgspec.json.encode, elements))
+    return b"%b[%b]}\n" % (head.encode(), b"\n%b\n" % lines if elements else b"")
 
 
 def part_bytes(part: Part) -> bytes:
     """A file of cases. Clause: ORCL-SUITE-1."""
-    return _rows(f'{{"profile":"{part.profile}","op":"{part.op}","cases":', part.cases)
+    return rows(f'{{"profile":"{part.profile}","op":"{part.op}","cases":', part.cases)
 
 
 def suite_files(
@@ -95,9 +95,9 @@ def suite_files(
     gone = sorted(retired, key=lambda entry: entry.id)
     wrong = sorted(canaries, key=order)
     beside = {
-        FLAGS: _rows('{"flags":', explained),
-        RETIRED: _rows('{"retired":', gone),
-        CANARIES: _rows('{"cases":', wrong),
+        FLAGS: rows('{"flags":', explained),
+        RETIRED: rows('{"retired":', gone),
+        CANARIES: rows('{"cases":', wrong),
         **dict(sorted(others.items())),
     }
     entries = tuple(
