@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from clers.cli import codecs
 from clers.cli.adapter_command import Command, words_of
 from clers.cli.options import AsJson
 from clers.cli.output import Exit, json, line, note, progress, stop, table
@@ -13,6 +14,9 @@ from clers.cli.output import Exit, json, line, note, progress, stop, table
 app = typer.Typer(
     no_args_is_help=True, rich_markup_mode=None, help="Programs that stand for an implementation."
 )
+app.command()(codecs.draco)
+app.command()(codecs.meshoptimizer)
+app.command()(codecs.files)
 
 
 @app.command()

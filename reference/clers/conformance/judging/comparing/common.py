@@ -1,13 +1,18 @@
 """Common names for the vertices of two meshes, as far as they can be had: sites."""
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Final
 
 from clers.conformance.judging.comparing.embedding import Budget, Coloured
 from clers.conformance.judging.comparing.matching import matched
 from clers.conformance.judging.comparing.nets import Net, coloured, mirrored, net
 from clers.conformance.judging.comparing.sites import Bound, sites
-from clers.conformance.judging.comparing.soup import Soup, begun_at_least
+from clers.conformance.judging.comparing.soup import Face, Soup, begun_at_least
+
+ROUNDS: Final = 8
+"""So far from known vertices are others named by their faces."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,19 +53,58 @@ def common(sent: Soup, came: Soup, bound: Bound, budget: Budget) -> Named:
     nets = _sound(sent), _sound(came)
     image = _by_connectivity(*nets, (one, other), budget)
     pairs = {v: w for v, w in image.items() if one[v] == other[w] == -1}
-    taken = set(pairs.values())
-    here = [v for v, site in enumerate(one) if site == -1 and v not in pairs]
-    there = [w for w, site in enumerate(other) if site == -1 and w not in taken]
+    _name(pairs, one, other)
+    for _ in range(ROUNDS):
+        new = by_faces(sent.faces, came.faces, one, other)
+        _name(new, one, other)
+        pairs |= new
+    here = [v for v, site in enumerate(one) if site == -1]
+    there = [w for w, site in enumerate(other) if site == -1]
     strangers = not known and _in_faces(nets[0], here) and _in_faces(nets[1], there)
     if not known and not strangers:
-        pairs |= zip(here, there, strict=False)
-    for v in here:
-        one[v] = -2 - v
-    for w in there:
-        other[w] = -2 - sent.vertices - w
+        rest = dict(zip(here, there, strict=False))
+        _name(rest, one, other)
+        pairs |= rest
+    return Named(
+        tuple(-2 - v if s == -1 else s for v, s in enumerate(one)),
+        tuple(-2 - sent.vertices - w if s == -1 else s for w, s in enumerate(other)),
+        tuple(sorted(pairs.items())),
+        strangers,
+    )
+
+
+def _name(pairs: Mapping[int, int], one: list[int], other: list[int]) -> None:
+    """Give each pair a site of its own."""
     for v, w in pairs.items():
         one[v] = other[w] = -2 - v
-    return Named(tuple(one), tuple(other), tuple(sorted(pairs.items())), strangers)
+
+
+def by_faces(
+    faces: Sequence[Face], others: Sequence[Face], one: Sequence[int], other: Sequence[int]
+) -> dict[int, int]:
+    """Pairs of vertices that have no site yet, and faces on the same sites; most faces first.
+
+    Clause: ORCL-CODEC-6.
+    """
+    there: dict[tuple[int, int], list[int]] = {}
+    for edge, w in _tips(others, other):
+        there.setdefault(edge, []).append(w)
+    votes = Counter((v, w) for edge, v in _tips(faces, one) for w in there.get(edge, ()))
+    pairs: dict[int, int] = {}
+    taken: set[int] = set()
+    for (v, w), _ in sorted(votes.items(), key=lambda vote: (-vote[1], vote[0])):
+        if v not in pairs and w not in taken:
+            pairs[v] = w
+            taken.add(w)
+    return pairs
+
+
+def _tips(faces: Sequence[Face], site: Sequence[int]) -> Iterator[tuple[tuple[int, int], int]]:
+    """The faces with one vertex that has no site: the sites of the edge against it, and it."""
+    for a, b, c in faces:
+        for p, q, r in ((a, b, c), (b, c, a), (c, a, b)):
+            if site[r] == -1 and site[p] != -1 and site[q] != -1:
+                yield (site[p], site[q]), r
 
 
 def _by_connectivity(
