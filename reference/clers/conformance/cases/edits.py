@@ -16,7 +16,7 @@ from clers.conformance.cases.seals import resealed
 
 @dataclass(frozen=True, slots=True)
 class NoEdit:
-    """What an edit says is there, and is not."""
+    """What an edit says is there, and is not. Clause: ORCL-FAULT-6."""
 
     why: str
 
@@ -27,7 +27,7 @@ def replaced(path: str, at: int, old: object, new: object) -> Edit:
 
 
 def inverse(edits: Sequence[Edit]) -> tuple[Edit, ...]:
-    """The edits that undo these. Clause: ORCL-FAULT-2."""
+    """The edits that undo these. Clauses: ORCL-FAULT-2, ORCL-FAULT-6."""
     return tuple(
         Edit(path=edit.path, at=edit.at, remove=edit.insert, insert=edit.remove)
         for edit in reversed(edits)

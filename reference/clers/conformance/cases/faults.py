@@ -29,7 +29,7 @@ def fault_in(case: Case, suite: Mapping[str, Case]) -> str:
     It is rejected by the reference as it says; it has one fault or is of the limits; undoing the
     fault gives the input of its parent, which is of the same operation, and accepted. Of cases that
     are not rejected nothing is asked but that they have no fault.
-    Clauses: ORCL-FAULT-1, ORCL-FAULT-2, ORCL-LIMIT-1.
+    Clauses: ORCL-FAULT-1, ORCL-FAULT-2, ORCL-FAULT-4, ORCL-LIMIT-1.
     """
     if isinstance(case.reject, UnsetType):
         return "" if isinstance(case.fault, UnsetType) else "it has a fault and is not rejected"

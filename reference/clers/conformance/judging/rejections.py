@@ -2,10 +2,16 @@
 
 from clers.conformance.judging.judged import Divergence
 from clers.conformance.messages import Rejection
+from clers.conventions.reason import Fault
 
 
 def of_rejection(right: Rejection, got: Rejection, *, strict: bool) -> Divergence | None:
-    """The class; if `strict`, then the reason, the element, the clause. ORCL-DIVERGE-11."""
+    """The class; if `strict`, then the reason, the element, the clause. ORCL-DIVERGE-11.
+
+    Limits are a reader's own: where `limit` is right every class is, unless `strict`. ORCL-LIMIT-2.
+    """
+    if right.fault is Fault.LIMIT and not strict:
+        return None
     if right.fault != got.fault:
         kind = f"{got.fault} instead of {right.fault}"
         return _at(kind, "the class of the rejection", line_of(right), line_of(got))

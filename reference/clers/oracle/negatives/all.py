@@ -1,6 +1,7 @@
 """All cases of this package: faults with their parents, and what the grammar alone gives."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache
 from typing import Final
 
 import msgspec
@@ -36,9 +37,10 @@ FAMILIES: Final[Mapping[str, Callable[[], Iterable[Draft]]]] = {
 """Each family by its name."""
 
 
-def drafts() -> Iterator[Draft]:
+@cache
+def drafts() -> tuple[Draft, ...]:
     """Every case, some of them more than once."""
-    return (draft for family in FAMILIES.values() for draft in family())
+    return tuple(draft for family in FAMILIES.values() for draft in family())
 
 
 def negatives(parents: Mapping[str, Case]) -> tuple[tuple[str, str, Case], ...]:

@@ -18,7 +18,7 @@ RECORDED: Final = (6, 7)
 DRAWN: Final = (12, 16, 20, 24)
 """Of about so many symbols some drawn at random."""
 
-TRIED: Final = 400
+TRIED: Final = 250
 """How many are drawn of each size."""
 
 
@@ -38,7 +38,7 @@ def named(first: str, some: Iterator[Stream] | list[Stream]) -> Iterator[tuple[s
 
 
 def drafts() -> Iterator[Draft]:
-    """Those of them that are surfaces, each once. Clauses: EB-DECODE-2, EB-GRAMMAR-9."""
+    """Those of them that are surfaces, each once. Clauses: ORCL-GRAMMAR-1, EB-DECODE-2."""
     seen: set[Stream] = set()
     for slug, stream in streams():
         if stream not in seen:
