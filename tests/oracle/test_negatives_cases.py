@@ -82,13 +82,16 @@ def test_every_clause_that_rejects_has_a_case(clause: str) -> None:
     assert Clause(clause)
 
 
+REASONS = {str(reason): reason for reason in Reason}
+
+
 def test_a_rejection_is_under_its_own_clause_and_without_words() -> None:
     """Clause: ORCL-FAULT-4."""
     for case in rejected():
         assert not isinstance(case.reject, UnsetType)
         assert case.clauses == (case.reject.clause,)
         assert case.reject.detail == ""
-        assert Reason(case.reject.reason).fault is case.reject.fault
+        assert REASONS[case.reject.reason].fault is case.reject.fault
         assert case.trace == ()
 
 
