@@ -1,6 +1,7 @@
 """Codecs of other people through their adapters, and the same without them."""
 
 import math
+import subprocess
 import sys
 from functools import partial
 from importlib.metadata import PackageNotFoundError, version
@@ -20,17 +21,18 @@ from clers.conformance import payloads as form
 from clers.conformance.adapter import answered
 from clers.conformance.doctor import examine
 from clers.conformance.judging.meshes import Differs, Same, compare
+from clers.conformance.lines import line_of
 from clers.conformance.messages import Failure, Lacking, Rejection, Reply
 from clers.conformance.outcome import NoProcess
 from clers.conventions.reason import Fault
 from clers.meshfile.formats import Format
 from clers.oracle.codecs import draco as draco_module
-from clers.oracle.codecs import meshoptimizer as meshoptimizer_module
+from clers.oracle.codecs import meshopt as meshoptimizer_module
 from clers.oracle.codecs import prepared as prepared_module
 from clers.oracle.codecs.codec import Answer, Codec, Missing
 from clers.oracle.codecs.draco import draco, promise
 from clers.oracle.codecs.files import files
-from clers.oracle.codecs.meshoptimizer import meshoptimizer
+from clers.oracle.codecs.meshopt import meshoptimizer
 from clers.oracle.codecs.serving import serve
 
 CORNERS: Final = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
@@ -563,11 +565,30 @@ def test_options_that_are_none(arguments: list[str]) -> None:
     assert CliRunner().invoke(app, ["adapter", *arguments]).exit_code == Exit.USAGE
 
 
-@pytest.mark.parametrize("name", ["draco", "meshoptimizer"])
-def test_command_serves(name: str) -> None:
-    """ORCL-CODEC-9: by default what the option's help says."""
-    asked = b'{"op":"hello","id":0,"protocol":1,"spec":"1.0","suite":""}\n{"op":"bye"}\n'
-    ran = CliRunner().invoke(app, ["adapter", name], input=asked)
-    assert ran.exit_code == 0
-    method = {"draco": "edgebreaker-standard", "meshoptimizer": "triangles"}[name]
-    assert msgspec.json.decode(ran.stdout)["ok"]["policy"]["method"] == method
+NOISY: Final = """
+import os, sys, DracoPy
+real = DracoPy.encode
+def noisy(*given, **named):
+    os.write(1, b"encoding\\n")
+    print("encoding")
+    return real(*given, **named)
+DracoPy.encode = noisy
+from clers.cli.main import main
+main()
+"""
+
+
+def test_library_that_prints_does_no_harm() -> None:
+    """ORCL-CODEC-9, ORCL-LINE-1; and by default the method is what the option's help says."""
+    hello = line_of(HELLO)
+    ask = line_of(message.Roundtrip(id=1, input=mesh()))
+    ran = subprocess.run(
+        [sys.executable, "-P", "-c", NOISY, "adapter", "draco"],
+        input=hello + ask + b'{"op":"bye"}\n',
+        capture_output=True,
+        check=True,
+    )
+    said, back = ran.stdout.splitlines()
+    assert msgspec.json.decode(said)["ok"]["policy"]["method"] == "edgebreaker-standard"
+    assert msgspec.json.decode(back)["ok"]["vertices"] == 4
+    assert ran.stderr.count(b"encoding") == 2

@@ -1,7 +1,8 @@
 """`clers adapter draco`, `meshoptimizer` and `files`: codecs of other people as adapters."""
 
+import os
 import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, BinaryIO
 
 import typer
 
@@ -22,7 +23,18 @@ def _serve(codec: "Codec | Missing") -> None:
     if isinstance(codec, Missing):
         note(codec.why)
         stop(Exit.ADAPTER)
-    loop(sys.stdin.buffer, sys.stdout.buffer, partial(serve, codec))
+    with _alone() as replies:
+        loop(sys.stdin.buffer, replies, partial(serve, codec))
+
+
+def _alone() -> BinaryIO:
+    """Standard output for replies alone: what a library prints there goes to standard error.
+
+    Libraries in C++ print without asking Python. Clause: ORCL-LINE-1.
+    """
+    replies = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+    return replies
 
 
 def _one_of(name: str, known: tuple[str, ...], option: str) -> None:
@@ -50,7 +62,7 @@ def meshoptimizer(
     method: Annotated[str, typer.Option(help="triangles or sequence.")] = "triangles",
 ) -> None:
     """Serve meshoptimizer's vertex and index codecs as an adapter. Clause: ORCL-CODEC-12."""
-    from clers.oracle.codecs import meshoptimizer as codec
+    from clers.oracle.codecs import meshopt as codec
 
     _one_of(method, codec.METHODS, "--method")
     _serve(codec.meshoptimizer(method))
