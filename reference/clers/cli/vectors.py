@@ -63,7 +63,8 @@ def generate(
         _refuse(place, files, as_json=as_json)
     if isinstance(files, Rejected):
         reject(str(place), files, as_json=as_json)
-    written = differing(place, files) if check else write_suite(place, files)
+    stale = old.value.paths if old.value else ()
+    written = differing(place, files, stale) if check else write_suite(place, files, stale)
     if isinstance(written, Rejected):
         reject(str(place), written, as_json=as_json)
     changed = written if isinstance(written, tuple) else written.value

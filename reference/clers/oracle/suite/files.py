@@ -52,6 +52,12 @@ class Suite:
         """All cases in the order of the manifest; the canaries are not among them."""
         return tuple(case for part in self.parts for case in part.cases)
 
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """The paths of its files, but for the manifest's."""
+        cases = (entry.path for entry in self.manifest.files)
+        return (*cases, *(entry.path for entry in self.manifest.others))
+
 
 def read_suite(folder: Path) -> Accepted[Suite] | Rejected:
     """The suite in a folder, if every file of the manifest is there as it says.

@@ -11,7 +11,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.result import Rejected
 from clers.oracle.suite.files import CANARIES, FLAGS, MANIFEST, RETIRED, Suite, read_bytes
 from clers.oracle.suite.problem import Problem
-from clers.oracle.suite.rendered import suite_files
+from clers.oracle.suite.rendered import parts_of, suite_files
 from clers.oracle.suite.written import present
 
 MADE = frozenset((FLAGS, RETIRED, CANARIES))
@@ -44,7 +44,7 @@ def of_folder(folder: Path, suite: Suite) -> Iterator[Problem]:
 def _written(folder: Path, suite: Suite, found: dict[str, bytes]) -> Iterator[Problem]:
     """Is every byte as this suite is written?"""
     right = suite_files(
-        suite.parts,
+        parts_of((part.profile, case) for part in suite.parts for case in part.cases),
         suite.flags,
         suite.retired,
         suite.canaries,

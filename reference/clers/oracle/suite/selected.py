@@ -92,13 +92,9 @@ def copy_suite(
             into, suite_files(part.parts, part.flags, part.retired, part.canaries, {})
         )
     files: dict[str, bytes] = {}
-    for path in (MANIFEST, *(e.path for e in suite.manifest.files), *_others(suite)):
+    for path in (MANIFEST, *suite.paths):
         data = read_bytes(folder, path)
         if isinstance(data, Rejected):
             return data
         files[path] = data.value
     return write_suite(into, files)
-
-
-def _others(suite: Suite) -> Iterator[str]:
-    return (entry.path for entry in suite.manifest.others)

@@ -1,12 +1,12 @@
 """Writing the files of a suite: only what changed, the manifest last. Clause: ORCL-SUITE-5."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.meshfile.atomic import write_bytes
-from clers.oracle.suite.files import MANIFEST, fault
+from clers.oracle.suite.files import MANIFEST, fault, read_bytes
 
 
 def present(folder: Path) -> tuple[str, ...]:
@@ -16,25 +16,32 @@ def present(folder: Path) -> tuple[str, ...]:
     )
 
 
-def differing(folder: Path, files: Mapping[str, bytes]) -> tuple[str, ...]:
-    """The paths where a folder is not what it should be: other bytes, missing, or too many.
+def differing(
+    folder: Path, files: Mapping[str, bytes], stale: Collection[str] = ()
+) -> tuple[str, ...]:
+    """The paths where a folder is not what it should be: other bytes, missing, or `stale` there.
 
     Clause: ORCL-SUITE-5.
     """
     there = set(present(folder))
-    return tuple(
-        path
-        for path in sorted(there | set(files))
-        if path not in there or path not in files or (folder / path).read_bytes() != files[path]
-    )
+    other = {path for path in files if path not in there or _bytes(folder, path) != files[path]}
+    return tuple(sorted(other | (there & set(stale) - set(files))))
 
 
-def write_suite(folder: Path, files: Mapping[str, bytes]) -> Accepted[tuple[str, ...]] | Rejected:
-    """Make a folder hold these files and no others; the paths that changed. Clause: ORCL-SUITE-5.
+def _bytes(folder: Path, path: str) -> bytes | None:
+    data = read_bytes(folder, path)
+    return data.value if isinstance(data, Accepted) else None
 
-    Each file is written whole or not at all, the manifest after all others.
+
+def write_suite(
+    folder: Path, files: Mapping[str, bytes], stale: Collection[str] = ()
+) -> Accepted[tuple[str, ...]] | Rejected:
+    """Make a folder hold these files, and no longer the `stale` ones; the paths that changed.
+
+    Each file is written whole or not at all, the manifest after all others. What else the folder
+    has stays. Clause: ORCL-SUITE-5.
     """
-    changed = differing(folder, files)
+    changed = differing(folder, files, stale)
     for path in sorted(changed, key=lambda path: (path == MANIFEST, path)):
         target = folder / path
         try:
