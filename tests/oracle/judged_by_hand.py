@@ -41,7 +41,7 @@ def divergence_of(request: Operation, result: Result, steps: tuple[Step, ...] = 
 
 def numbers_of(found: Divergence) -> dict[str, int]:
     """The numbers of a place, by name."""
-    words = ("kind", "place", "expected", "got")
+    words = ("kind", "place", "expected", "got", "triangle")
     return {
         key: value
         for key, value in msgspec.structs.asdict(found).items()

@@ -40,7 +40,7 @@ REJECTED = Rejection(Fault.INVALID, "unknown-symbol", {"symbol": 0}, "EB-GRAMMAR
         (Crash(-99, ""), Status.CRASH, " signal"),
         (TimedOut(5.0, ""), Status.TIMEOUT, ""),
         (Erred("it is 7"), Status.ERROR, ""),
-        (NoProcess("none"), Status.ERROR, ""),
+        (NoProcess("none"), Status.ERROR, " no process"),
         (
             ProtocolError("a reply with id 3, the request has id 5", "h", "s"),
             Status.PROTOCOL,

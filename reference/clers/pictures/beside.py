@@ -29,6 +29,24 @@ def beside(title: str, scenes: tuple[tuple[str, Scene], ...]) -> Scene:
     return Scene(starts[-1], high + tallest, title, tuple(groups))
 
 
+def renamed(of: Scene, prefix: str, title: str) -> Scene:
+    """The same image under another title, with a prefix to the names of styles and groups.
+
+    Clause: TOOL-PICTURE-15.
+    """
+    return replace(
+        of,
+        title=title,
+        groups=tuple(
+            Group(
+                f"{prefix}{group.name}",
+                tuple(_moved(item, 0.0, 0.0, prefix) for item in group.items),
+            )
+            for group in of.groups
+        ),
+    )
+
+
 def _moved(item: Item, right: float, down: float, prefix: str) -> Item:
     """The item elsewhere; names of styles are unique in a scene, so they get a prefix."""
     match item:

@@ -10,6 +10,7 @@ from clers.conformance.judging.parting import NOTHING, listed, parting
 from clers.conformance.judging.steps import Walk
 from clers.conformance.messages import Step
 from clers.conformance.numbers import from_wire
+from clers.conformance.payloads import SAFE
 
 Triangle = tuple[int, int, int]
 AXES = "xyz"
@@ -31,6 +32,7 @@ def of_faces(right: form.Faces, got: form.Faces, walk: Walk) -> Divergence | Non
             got=listed(given[f]) if f < len(given) else NOTHING,
             symbol=UNSET if maker is None or maker.i < 0 else maker.i,
             face=f,
+            triangle=_instead(given[f]) if f < len(given) else UNSET,
         )
     if from_wire(right.vertices) != from_wire(got.vertices):
         return Divergence(
@@ -40,6 +42,11 @@ def of_faces(right: form.Faces, got: form.Faces, walk: Walk) -> Divergence | Non
             got=str(got.vertices),
         )
     return None
+
+
+def _instead(got: Triangle) -> Triangle | UnsetType:
+    """A triangle that has a chance to be of this mesh; integers may be of any size."""
+    return got if all(0 <= v <= SAFE for v in got) else UNSET
 
 
 def _maker(step: Step) -> str:

@@ -29,7 +29,8 @@ class Divergence(Struct, frozen=True, kw_only=True, omit_defaults=True):
 
     `kind` is the kind of place, without numbers ("symbol", "face", "byte of WORD"); `place` is the
     place in words ("symbol 5 (S), face 6", "byte 40, in section WORD"); `symbol`, `record`, `face`,
-    `vertex`, `bit`, `byte`, `component` and `stage` are that place as numbers, where it has them.
+    `vertex`, `bit`, `byte`, `component` and `stage` are that place as numbers, where it has them;
+    `triangle` has the vertices that were got in place of a face's.
     """
 
     kind: str
@@ -44,6 +45,7 @@ class Divergence(Struct, frozen=True, kw_only=True, omit_defaults=True):
     byte: int | UnsetType = UNSET
     component: int | UnsetType = UNSET
     stage: int | UnsetType = UNSET
+    triangle: tuple[int, int, int] | UnsetType = UNSET
 
 
 class Judged(Struct, frozen=True, kw_only=True, omit_defaults=True):

@@ -36,7 +36,7 @@ def line_of(rejection: Rejection) -> str:
     parts = (
         f"{rejection.fault}:" if rejection.reason else str(rejection.fault),
         rejection.reason,
-        f"at {element_of(rejection)}" if rejection.at else "",
+        f"at {element_of(rejection)}" if element_of(rejection) else "",
         f"[{rejection.clause}]" if rejection.clause else "",
     )
     return " ".join(part for part in parts if part)

@@ -3,7 +3,7 @@
 from signal import Signals
 
 from clers.conformance.judging.judged import Status
-from clers.conformance.outcome import Crash, Flaky, Outcome, ProtocolError
+from clers.conformance.outcome import Crash, Flaky, NoProcess, Outcome, ProtocolError
 
 
 def signature(operation: str, status: Status, kind: str) -> str:
@@ -21,6 +21,8 @@ def breakdown(outcome: Outcome) -> str:
             return _ending(code)
         case Flaky(first, _):
             return breakdown(first)
+        case NoProcess():
+            return "no process"
         case ProtocolError(why, _, _):
             return _head(why)
         case _:

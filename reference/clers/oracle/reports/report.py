@@ -24,7 +24,8 @@ class Report:
 
     No times and no places of the machine are in it: equal runs have equal reports.
     `adapter` is the answer to hello, `command` the words of the adapter's command line, `notes` say
-    of each flag what it means. `unfinished` says why cases are missing, or is empty.
+    of each flag what it means; `texts` are those of the clauses. `unfinished` says why cases are
+    missing, or is empty.
     Clause: ORCL-HTML-1.
     """
 
@@ -36,6 +37,7 @@ class Report:
     rulings: tuple[Ruling, ...]
     notes: Mapping[str, str] = field(default_factory=dict)
     unfinished: str = ""
+    texts: Mapping[str, str] = field(default_factory=dict)
 
     def counts(self) -> Mapping[Status, int]:
         """How many cases came to each status; none of those that did not occur."""
