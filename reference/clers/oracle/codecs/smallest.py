@@ -103,10 +103,7 @@ def _merged(of: Loose) -> Iterator[Loose]:
 
 
 def _simple(of: Loose) -> Iterator[Loose]:
-    """Places on a curve, equal ones still equal; vertices in the order of faces, faces begun low.
-
-    Yields nothing that is already so.
-    """
+    """Places on a curve, equal ones still equal; then vertices in the order of faces."""
     number = {place: k for k, place in enumerate(dict.fromkeys(of.places))}
     curve = on_curve(len(number))
     simple = Loose(of.faces, tuple(curve[number[place]] for place in of.places))
