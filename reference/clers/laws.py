@@ -12,6 +12,9 @@ from clers.arithmetic import laws as arithmetic
 from clers.codes import laws as codes
 from clers.complexes import laws as complexes
 from clers.conformance import laws as conformance
+from clers.conformance.cases import laws as cases
+from clers.conformance.judging import laws as judging
+from clers.conformance.judging import laws_meshes as meshes
 from clers.container import laws as container
 from clers.conventions.law import AnyLaw
 from clers.edgebreaker import laws as edgebreaker
@@ -31,7 +34,7 @@ CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
         6: codes.LAWS,
         7: geometry.LAWS,
         8: container.LAWS,
-        9: conformance.LAWS,
+        9: (*conformance.LAWS, *cases.LAWS, *judging.LAWS, *meshes.LAWS),
         10: (*meshfile.LAWS, *pictures.LAWS),
     }
 )

@@ -1,22 +1,22 @@
 """`clers adapter`: the reference as an adapter, a doctor for others, and sources to start from."""
 
-import shlex
 import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from clers.cli import codecs
+from clers.cli.adapter_command import Command, words_of
 from clers.cli.options import AsJson
 from clers.cli.output import Exit, json, line, note, progress, stop, table
 
 app = typer.Typer(
     no_args_is_help=True, rich_markup_mode=None, help="Programs that stand for an implementation."
 )
-
-Command = Annotated[
-    str, typer.Option("--adapter", "-a", help="The adapter's command line, as in a shell.")
-]
+app.command()(codecs.draco)
+app.command()(codecs.meshoptimizer)
+app.command()(codecs.files)
 
 
 @app.command()
@@ -25,17 +25,6 @@ def reference() -> None:
     from clers.conformance.adapter import loop
 
     loop(sys.stdin.buffer, sys.stdout.buffer)
-
-
-def _words(command: str) -> list[str]:
-    """The words of a command line; wrong usage if there is none."""
-    try:
-        words = shlex.split(command)
-    except ValueError as fault:
-        raise typer.BadParameter(str(fault), param_hint="--adapter") from fault
-    if not words:
-        raise typer.BadParameter("it is empty", param_hint="--adapter")
-    return words
 
 
 @app.command()
@@ -51,7 +40,7 @@ def doctor(
     from clers.conformance.doctor import CHECKS, examine
     from clers.conformance.outcome import NoProcess
 
-    words = _words(adapter)
+    words = words_of(adapter)
     bounds = Bounds(start=start, request=seconds, memory=memory << 20)
     with progress("doctor", len(CHECKS)) as step:
         found = examine(words, bounds, step)

@@ -2,7 +2,7 @@
 
 import typer
 
-from clers.cli import bits
+from clers.cli import bits, codec_survey
 from clers.cli.meshes import AsJson
 from clers.cli.output import json, line, progress, table
 
@@ -11,6 +11,7 @@ app = typer.Typer(
 )
 app.command()(bits.bits)
 app.command()(bits.bounds)
+app.command()(codec_survey.codecs)
 
 
 @app.command()

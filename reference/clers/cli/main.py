@@ -22,6 +22,7 @@ from clers.cli import (
     roundtrip,
     schema,
     spec,
+    vectors,
     walks,
 )
 from clers.cli.output import Exit, line, note
@@ -51,6 +52,7 @@ app.add_typer(generate.app, name="generate")
 app.add_typer(laws.app, name="laws")
 app.add_typer(operators.app, name="operators")
 app.add_typer(spec.app, name="spec")
+app.add_typer(vectors.app, name="vectors")
 app.add_typer(complexes.structure_app, name="structure")
 
 

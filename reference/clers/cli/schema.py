@@ -8,11 +8,13 @@ from clers.cli.output import json
 
 
 def schemas() -> dict[str, object]:
-    """A schema for each published record, by name. Clauses: TOOL-SCHEMA-1, ORCL-LINE-3."""
+    """A schema for each published record. Clauses: TOOL-SCHEMA-1, ORCL-LINE-3, ORCL-CASE-7."""
     import msgspec
 
     from clers.cli.views import InfoView, WordView
     from clers.conformance.schema import protocol_schema
+    from clers.oracle.finding import finding_schema
+    from clers.oracle.suite.schema import vectors_schema
 
     published = {"info": InfoView, "word": WordView}
     records: dict[str, object] = {
@@ -23,10 +25,17 @@ def schemas() -> dict[str, object]:
         }
         for name, view in published.items()
     }
-    return {**records, "protocol": protocol_schema()}
+    return {
+        **records,
+        "protocol": protocol_schema(),
+        "finding": finding_schema(),
+        "vectors": vectors_schema(),
+    }
 
 
-def schema(name: Annotated[str, typer.Argument(help="info, word or protocol.")]) -> None:
+def schema(
+    name: Annotated[str, typer.Argument(help="info, word, protocol, finding or vectors.")],
+) -> None:
     """Print the JSON Schema of what a command prints with --json, or of the adapters' protocol."""
     known = schemas()
     if name not in known:

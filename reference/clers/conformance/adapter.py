@@ -1,5 +1,6 @@
 """The loop around `serve`: lines in, lines out, until bye. Clauses: ORCL-LINE-1, ORCL-LINE-2."""
 
+from collections.abc import Callable
 from typing import BinaryIO
 
 import msgspec
@@ -18,8 +19,11 @@ from clers.conformance.messages import (
 from clers.conformance.results import RESULTS
 from clers.conformance.serve import serve
 
+Server = Callable[[Request], tuple[Reply, ...]]
+"""What answers requests: the reference, or a codec of somebody else."""
 
-def answered(line: bytes) -> tuple[Reply, ...] | Bye:
+
+def answered(line: bytes, by: Server = serve) -> tuple[Reply, ...] | Bye:
     """The replies to a line, whatever it is; or bye. Clauses: ORCL-REPLY-3, ORCL-REPLY-4."""
     request = request_in(line)
     match request:
@@ -28,13 +32,13 @@ def answered(line: bytes) -> tuple[Reply, ...] | Bye:
         case Bye():
             return request
         case _:
-            return _guarded(request)
+            return _guarded(request, by)
 
 
-def _guarded(request: Request) -> tuple[Reply, ...]:
+def _guarded(request: Request, by: Server) -> tuple[Reply, ...]:
     """What the code below does wrong is said and does not end the adapter. Clause: ORCL-REPLY-4."""
     try:
-        return serve(request)
+        return by(request)
     except Exception as fault:
         number = None if isinstance(request, Bye) else request.id
         return (ErrorReply(number, Failure(f"{type(fault).__name__}: {fault}")),)
@@ -65,10 +69,10 @@ def _number_in(raw: msgspec.Raw | None) -> int | None:
         return None
 
 
-def loop(requests: BinaryIO, replies: BinaryIO) -> None:
+def loop(requests: BinaryIO, replies: BinaryIO, by: Server = serve) -> None:
     """Answer line by line, until bye or the end. Clauses: ORCL-LINE-1, ORCL-LINE-2, ORCL-BYE-1."""
     while line := requests.readline():
-        found = answered(line)
+        found = answered(line, by)
         if isinstance(found, Bye):
             return
         for reply in found:

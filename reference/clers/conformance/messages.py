@@ -108,9 +108,9 @@ class MeshDecode(Call, frozen=True, kw_only=True, tag="mesh.decode"):
 
 
 class Roundtrip(Call, frozen=True, kw_only=True, tag="codec.roundtrip"):
-    """Clause: ORCL-OP-8."""
+    """Clauses: ORCL-OP-8, ORCL-CODEC-1."""
 
-    input: form.MeshForm
+    input: form.ThroughForm
 
 
 Operation = (

@@ -53,6 +53,25 @@ class MeshForm(Faces, frozen=True, kw_only=True):
     positions: Places | UnsetType = UNSET
 
 
+Error = tuple[
+    Annotated[float, Meta(ge=0)], Annotated[float, Meta(ge=0)], Annotated[float, Meta(ge=0)]
+]
+"""The most by which a coordinate may move along each axis. Clause: ORCL-CODEC-1."""
+
+
+class ThroughForm(MeshForm, frozen=True, kw_only=True):
+    """A mesh to send through a codec. Clauses: ORCL-OP-8, ORCL-CODEC-1."""
+
+    error: Error | UnsetType = UNSET
+
+    @staticmethod
+    def of(mesh: MeshForm, error: Error | UnsetType = UNSET) -> "ThroughForm":
+        """The mesh, to be sent through a codec that may move coordinates so much."""
+        return ThroughForm(
+            faces=mesh.faces, vertices=mesh.vertices, positions=mesh.positions, error=error
+        )
+
+
 class ComponentForm(Payload, frozen=True, kw_only=True):
     """The counts of a component. Clause: ORCL-OP-2."""
 

@@ -62,7 +62,7 @@ SAMPLES: Final[Mapping[str, Operation]] = {
         input=form.ToFile(faces=FACES, vertices=4, code="plain", accuracy=form.ExactForm()),
     ),
     "mesh.decode": message.MeshDecode(id=0, input=form.FileForm(hex=_FILE)),
-    "codec.roundtrip": message.Roundtrip(id=0, input=_MESH),
+    "codec.roundtrip": message.Roundtrip(id=0, input=form.ThroughForm.of(_MESH)),
 }
 """Clause: ORCL-DOCTOR-2."""
 
@@ -97,7 +97,7 @@ GARBAGE: Final[Mapping[str, tuple[Operation, ...]]] = {
         message.MeshDecode(id=0, input=form.FileForm(hex="00ff" * 8)),
     ),
     "codec.roundtrip": (
-        message.Roundtrip(id=0, input=form.MeshForm(faces=((0, 1, 5),), vertices=3)),
+        message.Roundtrip(id=0, input=form.ThroughForm(faces=((0, 1, 5),), vertices=3)),
     ),
 }
 """Inputs of the right form that are no mesh, no word and no file. Clause: ORCL-DOCTOR-2."""

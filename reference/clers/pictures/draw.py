@@ -1,6 +1,7 @@
 """The picture of a walk over a surface, or why there is none."""
 
 from collections import Counter
+from dataclasses import replace
 from math import ceil, isfinite, sqrt
 from typing import Final
 
@@ -18,6 +19,7 @@ from clers.pictures.flat import flat
 from clers.pictures.options import DEFAULT, SIZES, Layout, Options
 from clers.pictures.palette import Letter
 from clers.pictures.picture import Picture
+from clers.pictures.pointing import pointed
 from clers.pictures.ribbon import ribbon
 from clers.pictures.story import Story, moments, story
 from clers.pictures.view import view
@@ -43,7 +45,7 @@ def draw(
     """The picture of the walk that wrote an encoding of a surface; `encoding` is encode(surface).
 
     Linear in the faces of all panels; a flat drawing takes a few hundred times as long as any other
-    for each face. Clauses: TOOL-PICTURE-1 to TOOL-PICTURE-11.
+    for each face. Clauses: TOOL-PICTURE-1 to TOOL-PICTURE-11, TOOL-PICTURE-14.
     """
     outlined = outline(encoding.stream)
     if isinstance(outlined, Rejected):
@@ -61,7 +63,11 @@ def draw(
     return Accepted(
         Picture(
             panels=tuple(
-                panel(told, drawing, now, options.tree, labels) for now in moments(told, steps)
+                replace(
+                    panel(told, drawing, now, options.tree, labels),
+                    pointed=pointed(surface, drawing, options.pointer),
+                )
+                for now in moments(told, steps)
             ),
             columns=min(COLUMNS, ceil(sqrt(len(steps)))),
             width=width,

@@ -20,12 +20,27 @@ class Layout(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Pointer:
+    """What a picture points at, whatever of it is there. Clause: TOOL-PICTURE-14.
+
+    Faces and vertices by number; `triangle`: three vertices that need not be those of a face.
+    """
+
+    faces: tuple[int, ...] = ()
+    vertices: tuple[int, ...] = ()
+    triangle: tuple[int, int, int] | None = None
+
+
+NOWHERE: Final = Pointer()
+
+
+@dataclass(frozen=True, slots=True)
 class Options:
     """The choices; each has a default that suits the mesh. Clause: TOOL-PICTURE-10.
 
     `steps`: the states to show, by numbers of visited faces; none for the default. `view`: the
     direction that a view is seen from. `labels`: letters, vertex numbers. `tree`: the dual tree and
-    the primal remainder. `size`: of a panel's longer side, in pixels.
+    the primal remainder. `size`: of a panel's longer side, in pixels. `pointer`: what to point at.
     """
 
     steps: tuple[int, ...] = ()
@@ -34,6 +49,7 @@ class Options:
     labels: bool | None = None
     tree: bool = False
     size: int | None = None
+    pointer: Pointer = NOWHERE
 
 
 DEFAULT: Final = Options()

@@ -39,6 +39,7 @@ GATE: Final = "#6a0dad"
 MORSE: Final = "#c00000"
 REMAINDER: Final = "#1f4fb4"
 TREE: Final = "#111111"
+POINTER: Final = "#d6006c"
 SEAM: Final = "#8a8a8a"
 
 

@@ -8,7 +8,20 @@ from clers.pictures.drawing import Point
 from clers.pictures.palette import Letter
 from clers.pictures.story import Visit
 
-__all__ = ["Edge", "Gate", "Mark", "Note", "Panel", "Picture", "Point", "Role", "Shape", "State"]
+__all__ = [
+    "Edge",
+    "Gate",
+    "Mark",
+    "Note",
+    "Panel",
+    "Picture",
+    "Point",
+    "Pointed",
+    "Role",
+    "Shape",
+    "State",
+    "Target",
+]
 
 
 class State(StrEnum):
@@ -28,6 +41,14 @@ class Role(StrEnum):
     REMAINDER = "remainder"
     TREE = "tree"
     MORSE = "morse"
+
+
+class Target(StrEnum):
+    """What can be pointed at."""
+
+    FACE = "face"
+    VERTEX = "vertex"
+    TRIANGLE = "triangle"
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +111,20 @@ class Mark:
 
 
 @dataclass(frozen=True, slots=True)
+class Pointed:
+    """Something that a panel points at: a face, a vertex, or a triangle that need not be a face.
+
+    `path` is one place of a vertex, or the corners of a triangle; of a face with a `ring` around
+    `centre` the outer edge is meant too. Clause: TOOL-PICTURE-14.
+    """
+
+    what: Target
+    path: tuple[Point, ...]
+    ring: float = 0.0
+    centre: Point = (0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
 class Note:
     """A letter beside a side of a surface that was cut open."""
 
@@ -107,6 +142,7 @@ class Panel:
     gates: tuple[Gate, ...]
     marks: tuple[Mark, ...]
     notes: tuple[Note, ...]
+    pointed: tuple[Pointed, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,7 @@
 """A picture laid out on paper: panels in rows, captions below them, the legend at the bottom."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 from textwrap import wrap
 from typing import Final
@@ -10,15 +11,21 @@ from clers.pictures.drawing import Point
 from clers.pictures.faces import Paper, edge, face, letter, outline
 from clers.pictures.lettering import letters
 from clers.pictures.palette import COLOURS, FAINT, INK
-from clers.pictures.picture import Edge, Gate, Panel, Picture, Role, Shape
+from clers.pictures.picture import Edge, Gate, Panel, Picture, Pointed, Role, Shape, Target
 from clers.pictures.scene import Group, Item, Polygon, Scene, Style, Words
-from clers.pictures.signs import gate, radius_of, vertex
+from clers.pictures.signs import gate, pointer, radius_of, vertex
 
 WIDE: Final = 0.58
 """The width of a letter, about, of its height."""
 
 TITLED: Final = 20_000
 """Up to so many faces have titles. Clause: TOOL-PICTURE-12."""
+
+POINTED: Final = {
+    Target.FACE: "the face pointed at",
+    Target.VERTEX: "the vertex pointed at",
+    Target.TRIANGLE: "the triangle pointed at",
+}
 
 NAMES: Final = {
     Role.CURVE: "boundary curve",
@@ -96,6 +103,8 @@ def _panel(paper: Paper, panel: Panel, labels: bool) -> Iterator[Item]:
             for shape in shapes:
                 yield from outline(paper, shape)
     back = min((radius_of(paper, mark) for mark in panel.marks), default=0.0)
+    for one in panel.pointed:
+        yield from pointer(paper, one)
     for shown in panel.gates:
         yield from gate(paper, shown, back)
     if labels:
@@ -149,11 +158,22 @@ def _samples(picture: Picture, font: float) -> Iterator[tuple[Sample, str]]:
     for role in Role:
         if role in roles:
             yield partial(_line, role), NAMES[role]
+    targets = {one.what for panel in picture.panels for one in panel.pointed}
+    for what in Target:
+        if what in targets:
+            yield partial(_pointer, what), POINTED[what]
 
 
 def _line(role: Role, at: Point, font: float) -> list[Item]:
     paper = Paper(at[0], at[1], font * 1.2, font, fine=False, titled=False)
     return [edge(paper, Edge(role, (Vertex(0), Vertex(0)), ((0.0, 0.0), (1.0, 0.0)), far=False))]
+
+
+def _pointer(what: Target, at: Point, font: float) -> list[Item]:
+    """A small triangle, or a ring."""
+    paper = Paper(at[0], at[1] + 0.4 * font, font, font, fine=False, titled=False)
+    path = ((0.5, 0.4),) if what is Target.VERTEX else ((0.0, 0.0), (1.0, 0.0), (0.5, 0.85))
+    return list(pointer(replace(paper, font=0.7 * font), Pointed(what, path)))
 
 
 def _arrow(now: bool, at: Point, font: float) -> list[Item]:

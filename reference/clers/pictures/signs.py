@@ -1,12 +1,13 @@
 """How gates and vertices of a panel are painted."""
 
 from collections.abc import Iterator
+from itertools import pairwise
 from math import dist
 
 from clers.pictures.drawing import Point
 from clers.pictures.faces import Paper
-from clers.pictures.palette import FAINT, GATE, INK, PAPER
-from clers.pictures.picture import Gate, Mark
+from clers.pictures.palette import FAINT, GATE, INK, PAPER, POINTER
+from clers.pictures.picture import Gate, Mark, Pointed, Target
 from clers.pictures.scene import Disc, Item, Line, Polygon, Style, Words
 
 
@@ -62,6 +63,30 @@ def gate(paper: Paper, shown: Gate, back: float) -> Iterator[Item]:
     across = (along[1], -along[0]) if side > 0 else (-along[1], along[0])
     tip = _moved(middle, across, (head + 0.7 * width) * unit)
     yield Polygon(_head(tip, across, head * unit), solid, f"{kind}-into")
+
+
+def pointer(paper: Paper, shown: Pointed) -> Iterator[Item]:
+    """An outline that nothing else has: on light ground, so that it stands out on every colour.
+
+    Clause: TOOL-PICTURE-14.
+    """
+    path, width = tuple(map(paper.at, shown.path)), paper.font / 3.6
+    kind = f"pointed-{shown.what}"
+    halo = Style(f"pointed-halo-{width:.2f}", "", PAPER, 1.8 * width)
+    if shown.what is Target.VERTEX:
+        ring = Style(f"pointed-{width:.2f}", "", POINTER, width)
+        yield Disc(path[0], paper.font, halo, f"{kind}-halo")
+        yield Disc(path[0], paper.font, ring, kind, "what is pointed at")
+        return
+    dash = (1.4 * width, 1.1 * width) if shown.what is Target.TRIANGLE else ()
+    line = Style(f"pointed{'-dashed' if dash else ''}-{width:.2f}", "", POINTER, width, dash)
+    yield Polygon(path, halo, f"{kind}-halo")
+    if shown.what is Target.TRIANGLE:
+        yield from (Line(side, line, kind) for side in pairwise((*path, path[0])))
+        return
+    if shown.ring:
+        yield Disc(paper.at(shown.centre), shown.ring * paper.pixels, line, kind)
+    yield Polygon(path, line, kind, "what is pointed at")
 
 
 def _moved(point: Point, way: Point, length: float) -> Point:

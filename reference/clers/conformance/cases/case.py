@@ -22,9 +22,9 @@ Name = Annotated[str, Meta(pattern="^[a-z0-9]+(?:-[a-z0-9]+)*-[a-z2-7]{8}$")]
 class Edit(Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A change at one place of an input. Clause: ORCL-FAULT-2.
 
-    `path` is a JSON pointer to a string, an array or a number. Of a string or an array, `remove`
-    stands from `at` on, and `insert` takes its place (both strings, or both arrays); of a number
-    `remove` is its value and `insert` the new one.
+    `path` is a JSON pointer. Of a string or an array there, `remove` stands from `at` on, and
+    `insert` takes its place (both strings, or both arrays); of anything else `remove` is the whole
+    value and `insert` the new one.
     """
 
     path: str

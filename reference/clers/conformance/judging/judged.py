@@ -27,19 +27,25 @@ GOOD = frozenset((Status.PASS, Status.SKIP, Status.XFAIL))
 class Divergence(Struct, frozen=True, kw_only=True, omit_defaults=True):
     """The first place where an answer parts from what is right. Clause: ORCL-JUDGE-4.
 
-    `place` is in words ("symbol 5 (S), face 6", "bit 17", "byte 40, in section WORD"); `symbol`,
-    `face`, `vertex`, `bit`, `byte`, `stage` are that place as numbers, where it has them.
+    `kind` is the kind of place, without numbers ("symbol", "face", "byte of WORD"); `place` is the
+    place in words ("symbol 5 (S), face 6", "byte 40, in section WORD"); `symbol`, `record`, `face`,
+    `vertex`, `bit`, `byte`, `component` and `stage` are that place as numbers, where it has them;
+    `triangle` has the vertices that were got in place of a face's.
     """
 
+    kind: str
     place: str
     expected: str
     got: str
     symbol: int | UnsetType = UNSET
+    record: int | UnsetType = UNSET
     face: int | UnsetType = UNSET
     vertex: int | UnsetType = UNSET
     bit: int | UnsetType = UNSET
     byte: int | UnsetType = UNSET
+    component: int | UnsetType = UNSET
     stage: int | UnsetType = UNSET
+    triangle: tuple[int, int, int] | UnsetType = UNSET
 
 
 class Judged(Struct, frozen=True, kw_only=True, omit_defaults=True):

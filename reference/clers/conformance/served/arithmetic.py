@@ -26,7 +26,7 @@ def _accepted(model: Model) -> Accepted[Model]:
     return Accepted(model)
 
 
-def _model(given: form.ModelForm) -> Accepted[Model] | Rejected:
+def model_of(given: form.ModelForm) -> Accepted[Model] | Rejected:
     """The model of a message, checked. Clause: ORCL-OP-4."""
     match given:
         case form.StaticForm(frequencies=frequencies):
@@ -44,13 +44,13 @@ def _model(given: form.ModelForm) -> Accepted[Model] | Rejected:
 def encode(given: form.ToCode) -> Accepted[form.BitString] | Rejected:
     """Symbols to bits. Clause: ORCL-OP-4."""
     coder, symbols = CODERS[given.coder], tuple(map(from_wire, given.symbols))
-    bits = and_then(_model(given.model), lambda model: coder.encode(model, symbols))
+    bits = and_then(model_of(given.model), lambda model: coder.encode(model, symbols))
     return and_then(bits, lambda b: Accepted(bits_form(b)))
 
 
 def decode(given: form.Coded) -> Accepted[form.Symbols] | Rejected:
     """Bits to symbols. Clause: ORCL-OP-4."""
-    coder, model = CODERS[given.coder], _model(given.model)
+    coder, model = CODERS[given.coder], model_of(given.model)
     if isinstance(model, Rejected):
         return model
     found = and_then(bits_of(given.bits), lambda bits: coder.decode(model.value, bits, given.count))

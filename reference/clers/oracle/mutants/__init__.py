@@ -1,0 +1,1 @@
+"""Mistakes put into the reference: would the vectors notice them?"""

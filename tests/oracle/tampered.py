@@ -1,0 +1,103 @@
+"""A true part of the suite, and the same with one thing changed, whole again but for that."""
+
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+
+import msgspec
+from msgspec import UNSET, Raw, UnsetType
+
+from clers.conformance.cases.case import Case
+from clers.conformance.cases.identity import named
+from clers.conventions.result import Accepted
+from clers.oracle.suite.files import DEFAULT, Suite, read_suite
+from clers.oracle.suite.records import Flag, Part, Retired, Score
+from clers.oracle.suite.rendered import parts_of, suite_files
+from clers.oracle.suite.retiring import slug_in
+from clers.oracle.suite.selected import some_profiles
+
+Change = Callable[[Case], Case]
+
+
+@cache
+def whole() -> Suite:
+    """The suite of this checkout."""
+    found = read_suite(DEFAULT)
+    assert isinstance(found, Accepted), found
+    return found.value
+
+
+@cache
+def base() -> Suite:
+    """A few cases of the suite: of several components, some of them with a fault."""
+    some = some_profiles(whole(), ("components",))
+    kept = [
+        (part.profile, case)
+        for part in some.parts
+        for case in part.cases
+        if part.op != "word.encode" or case.size < 20
+    ]
+    chosen = [(profile, case) for profile, case in kept if case.size < 40]
+    parts = parts_of(chosen)
+    cases = [case for part in parts for case in part.cases]
+    used = {flag for case in (*cases, *some.canaries) for flag in case.flags}
+    flags = tuple(flag for flag in some.flags if flag.name in used)
+    return Suite(some.manifest, parts, flags, some.retired, some.canaries)
+
+
+def keys(case: Case) -> frozenset[str]:
+    """The keys that a case has."""
+    read = msgspec.json.decode(msgspec.json.encode(case), type=dict[str, Raw])
+    return frozenset(read)
+
+
+def first(op: str, *having: str) -> Case:
+    """The first case of an operation that has these keys."""
+    return next(case for case in base().cases if case.op == op and keys(case).issuperset(having))
+
+
+def write(folder: Path, files: dict[str, bytes]) -> Path:
+    """The files in a folder."""
+    for path, data in files.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_bytes(data)
+    return folder
+
+
+def written(
+    folder: Path,
+    parts: Sequence[Part] | None = None,
+    flags: Sequence[Flag] | None = None,
+    retired: Sequence[Retired] | None = None,
+    canaries: Sequence[Case] | None = None,
+    mutation: Score | UnsetType = UNSET,
+) -> Path:
+    """The suite with other parts, flags, retired or canaries, under a manifest of its own."""
+    of = base()
+    return write(
+        folder,
+        suite_files(
+            of.parts if parts is None else parts,
+            of.flags if flags is None else flags,
+            of.retired if retired is None else retired,
+            of.canaries if canaries is None else canaries,
+            {},
+            mutation,
+        ),
+    )
+
+
+def changed(folder: Path, name: str, change: Change) -> Path:
+    """The suite with one case changed, whatever its id says then."""
+    parts = tuple(
+        msgspec.structs.replace(
+            part, cases=tuple(change(case) if case.id == name else case for case in part.cases)
+        )
+        for part in base().parts
+    )
+    return written(folder, parts)
+
+
+def renamed(case: Case) -> Case:
+    """The case under the id that it has by what it asks and expects."""
+    return named(slug_in(case.id), case)

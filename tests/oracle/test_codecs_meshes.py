@@ -1,0 +1,483 @@
+"""Meshes compared by hand: each difference with its number, its element and its words."""
+
+import math
+from typing import Final
+
+import pytest
+
+from clers.conformance import payloads as form
+from clers.conformance.judging.comparing.difference import Difference, Kind, Of
+from clers.conformance.judging.comparing.nets import coloured, mirrored, net
+from clers.conformance.judging.comparing.sites import near, sites, within
+from clers.conformance.judging.comparing.soup import MOST
+from clers.conformance.judging.laws_meshes import LAWS, MeshPair, Planted
+from clers.conformance.judging.meshes import (
+    EXACT,
+    Compared,
+    Differs,
+    Same,
+    Undecided,
+    compare,
+    error_of,
+)
+from clers.conventions.verdict import Fails, Holds
+from clers.conventions.where import WHOLE, AtFace, AtVertex
+from clers.generate.families import grid_torus
+from clers.generate.mesh_pairs import PLANTS, mesh, renamed
+
+Face = tuple[int, int, int]
+Place = tuple[float, float, float]
+
+SOLID: Final[tuple[Face, ...]] = ((0, 1, 2), (3, 2, 1), (0, 3, 1), (2, 3, 0))
+CORNERS: Final[tuple[Place, ...]] = (
+    (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0),
+)  # fmt: skip
+
+
+def bare(*faces: Face, vertices: int) -> form.MeshForm:
+    return mesh(faces, None, vertices)
+
+
+def placed(faces: tuple[Face, ...], *places: Place) -> form.MeshForm:
+    return mesh(faces, places, len(places))
+
+
+def only(found: Compared) -> Difference:
+    assert isinstance(found, Differs)
+    assert len(found.differences) == 1, found
+    return found.differences[0]
+
+
+def kinds(found: Compared) -> list[tuple[str, int]]:
+    assert isinstance(found, Differs), found
+    return [(d.kind, d.count) for d in found.differences]
+
+
+# the same
+
+
+def test_certificate_is_the_map() -> None:
+    """ORCL-CODEC-3, ORCL-CODEC-5: vertex v of the mesh sent has become vertex 3 − v."""
+    turned = tuple((3 - b, 3 - c, 3 - a) for a, b, c in reversed(SOLID))
+    assert compare(placed(SOLID, *CORNERS), placed(turned, *CORNERS[::-1])) == Same((3, 2, 1, 0))
+    assert compare(bare(*SOLID, vertices=4), bare(*SOLID, vertices=4)) == Same((0, 1, 2, 3))
+    assert compare(bare(vertices=0), bare(vertices=0)) == Same(())
+
+
+def test_mirror_image_of_a_chiral_mesh_is_another() -> None:
+    """ORCL-CODEC-3: with places, or with a part that tells the sides apart."""
+    over = tuple((a, c, b) for a, b, c in SOLID)
+    found = compare(placed(SOLID, *CORNERS), placed(over, *CORNERS))
+    assert kinds(found) == [("components-mirrored", 1)]
+    assert isinstance(compare(bare(*SOLID, vertices=4), bare(*over, vertices=4)), Same)
+
+
+def test_times_count() -> None:
+    """ORCL-CODEC-3: which face is there twice."""
+    twice = bare((0, 1, 2), (0, 1, 2), (0, 2, 3), vertices=4)
+    other = bare((0, 1, 2), (0, 2, 3), (0, 2, 3), vertices=4)
+    assert isinstance(compare(twice, other), Same)
+    marked = bare((0, 1, 2), (0, 1, 2), (0, 2, 3), (1, 1, 1), vertices=4)
+    elsewhere = bare((0, 1, 2), (0, 2, 3), (0, 2, 3), (1, 1, 1), vertices=4)
+    assert not isinstance(compare(marked, elsewhere), Same)
+
+
+def test_minus_zero_and_precision_are_nothing() -> None:
+    """ORCL-CODEC-4."""
+    sent = placed(((0, 1, 2),), (0.0, 0.0, 0.0), (1, 0, 0), (0, 1, 0))
+    at = form.Places(precision="f64", coordinates=(-0.0, 0.0, -0.0, 1, 0, 0, 0, 1, -0.0))
+    came = form.MeshForm(faces=((1, 2, 0),), vertices=3, positions=at)
+    assert compare(sent, came) == Same((0, 1, 2))
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "bound", "good"),
+    [
+        (0.0, -0.0, 0.0, True),
+        (1.0, 1.5, 0.5, True),
+        (1.5, 1.0, 0.5, True),
+        (1.0, 1.5, 0.25, False),
+        (math.nan, math.nan, 0.0, True),
+        (math.nan, 0.0, 9.0, False),
+        (math.inf, math.inf, 0.0, True),
+        (math.inf, 0.0, 9.0, False),
+        (1e308, -1e308, 1e308, False),
+        (1.0, -(2.0**-60), 1.0, False),  # the difference is rounded to the bound
+        (1.0, 2.0**-60, 1.0, True),
+    ],
+)
+def test_within(x: float, y: float, bound: float, good: bool) -> None:
+    """ORCL-CODEC-4: exactly."""
+    assert within(x, y, bound) == good
+
+
+def test_near_on_each_axis() -> None:
+    """ORCL-CODEC-4."""
+    assert near((0, 0, 0), (1, 2, 3), (1, 2, 3))
+    assert not near((0, 0, 0), (1, 2, 3), (0.5, 2, 3))
+    assert not near((0, 0, 0), (1, 2, 3), (1, 1.5, 3))
+    assert not near((0, 0, 0), (1, 2, 3), (1, 2, 2.5))
+
+
+def test_sites() -> None:
+    """ORCL-CODEC-4: a chain is one site, across cells and axes; far places are others."""
+    chain = [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (9.0, 0.0, 0.0)]
+    other = [(1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (9.0, 1.0, 0.0), (3.0, 0.0, 1.0)]
+    one, two = sites(chain, other, (1.0, 0.0, 0.0))
+    assert one[0] == one[1] == two[0] == two[1]
+    assert len({one[0], one[2], two[2], two[3]}) == 4
+    one, two = sites(chain, other, (1.0, 1.0, 1.0))
+    assert one[0] == one[1] == two[0] == two[1] == two[3]
+    assert one[2] == two[2] != one[0]
+    one, two = sites([(math.nan, 0.0, 0.0)], [(math.inf, 0.0, 0.0)], (1.0, 1.0, 1.0))
+    assert one != two
+
+
+def test_negative_neighbour_cells() -> None:
+    """ORCL-CODEC-4: each direction of neighbouring cells is looked at."""
+    for dx in (-1, 0, 1):
+        for dy in (-1, 0, 1):
+            for dz in (-1, 0, 1):
+                far = (0.5 + dx, 0.5 + dy, 0.5 + dz)
+                one, two = sites([(0.5, 0.5, 0.5)], [far], (1.0, 1.0, 1.0))
+                assert one == two, (dx, dy, dz)
+
+
+def test_error_of_a_request() -> None:
+    """ORCL-CODEC-1."""
+    plain = bare(vertices=1)
+    assert error_of(plain) == EXACT == (0.0, 0.0, 0.0)
+    assert error_of(form.ThroughForm.of(plain)) == EXACT
+    through = form.ThroughForm.of(placed((), (0, 0, 0)), (0.5, 0.25, 1.0))
+    assert error_of(through) == (0.5, 0.25, 1.0)
+    assert isinstance(through.positions, form.Places)
+
+
+def test_only_one_of_the_errors_is_needed() -> None:
+    """ORCL-CODEC-3: along each axis its own."""
+    sent, came = placed((), (0, 0, 0)), placed((), (0, 0, 0.5))
+    assert compare(sent, came, (0, 0, 0.5)) == Same((0,))
+    assert only(compare(sent, came, (9, 9, 0.25))).kind is Kind.MOVED
+
+
+def test_matching_of_vertices_that_are_near_to_several() -> None:
+    """ORCL-CODEC-5: 0 and 1 may become the first, 1 alone the second, so 0 must take the first."""
+    sent = placed((), (0, 0, 0), (1, 0, 0), (2, 0, 0))
+    came = placed((), (1, 0, 0), (2, 0, 0), (0.5, 0, 0))
+    found = compare(sent, came, (1.0, 0.0, 0.0))
+    assert isinstance(found, Same)
+    assert sorted(found.vertices) == [0, 1, 2]
+    for v, w in enumerate(found.vertices):
+        assert abs(v - (1.0, 2.0, 0.5)[w]) <= 1
+    crowd = [(0.0, 0, 0), (1.0, 0, 0), (2.0, 0, 0), (3.0, 0, 0)]
+    moved = [(1.0, 0, 0), (2.0, 0, 0), (3.0, 0, 0), (4.0, 0, 0)]
+    assert compare(placed((), *crowd), placed((), *moved), (1.0, 0, 0)) == Same((0, 1, 2, 3))
+    apart = compare(placed((), *crowd), placed((), *moved[:3], (5.0, 0, 0)), (1.0, 0, 0))
+    assert isinstance(apart, Differs)
+
+
+# differences
+
+
+def test_every_plant_by_itself() -> None:
+    """ORCL-CODEC-6: on one torus, whatever strategies draw."""
+    torus = grid_torus(3, 3)
+    at = tuple((float(v), float(v * v % 7), -0.5 * (v % 3)) for v in range(9))
+    for name, plant in PLANTS.items():
+        for i in (0, 5):
+            sent, came, known = plant((torus.faces, at), i)
+            back = renamed(*came, len(came[1]), 1 + i)
+            pair = MeshPair(mesh(*sent, len(sent[1])), back, EXACT)
+            assert LAWS[-1].check(Planted(pair, known)) == Holds(), name
+
+
+def test_elements_and_words() -> None:
+    """ORCL-CODEC-7."""
+    sent = placed((*SOLID, (1, 1, 3)), *CORNERS)
+    came = placed(SOLID, *CORNERS)
+    found = only(compare(sent, came))
+    assert found == Difference(Kind.DEGENERATE_DROPPED, 1, Of.SENT, AtFace(4), "face (1, 1, 3)")
+    assert found.line() == (
+        "dropped-degenerate-faces, 1, first at face 4 of the mesh sent: face (1, 1, 3)"
+    )
+    assert only(compare(came, sent)) == Difference(
+        Kind.FACES_ADDED, 1, Of.CAME, AtFace(4), "face (1, 1, 3)"
+    )
+    more = placed(SOLID, *CORNERS, (5, 5, 5), (6, 6, 6))
+    assert only(compare(more, came)) == Difference(Kind.ISOLATED_LOST, 2, Of.SENT, AtVertex(4))
+    added = only(compare(came, more))
+    assert added == Difference(Kind.VERTICES_ADDED, 2, Of.CAME, AtVertex(4))
+    assert added.line() == "vertices-added, 2, first at vertex 4 of the mesh given back"
+
+
+def test_greatest_move_and_its_axis() -> None:
+    """ORCL-CODEC-7."""
+    away = (CORNERS[0], (1.0, -0.5, 0.25), (0.0, 1.0, 2.0), CORNERS[3])
+    found = only(compare(placed(SOLID, *CORNERS), placed(SOLID, *away)))
+    assert found == Difference(
+        Kind.MOVED, 2, Of.SENT, AtVertex(1),
+        "vertex 2 has become vertex 2: (0.0, 1.0, 0.0) to (0.0, 1.0, 2.0)", 2.0, "z",
+    )  # fmt: skip
+
+
+def test_moves_within_a_site() -> None:
+    """ORCL-CODEC-6: all are in one chain, but no map keeps within the error."""
+    faces = ((0, 1, 2), (0, 0, 1))
+    sent = placed(faces, (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (2.0, 0.0, 0.0))
+    came = placed(faces, (2.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    found = only(compare(sent, came, (1, 0, 0)))
+    assert (found.kind, found.count, found.by, found.axis) == (Kind.MOVED, 2, 2.0, "x")
+    assert isinstance(compare(sent, came, (2, 0, 0)), Same)
+
+
+def test_turned_faces_of_one_component() -> None:
+    """ORCL-CODEC-6: some faces, or all of them; degenerate ones have no sides."""
+    two = (*SOLID, (4, 5, 6), (4, 4, 5))
+    at = (*CORNERS, (7, 0, 0), (8, 0, 0), (9, 1, 0))
+    some = ((2, 1, 0), *SOLID[1:], *two[4:])
+    found = only(compare(placed(two, *at), placed(some, *at)))
+    assert found == Difference(Kind.ORIENTATION, 1, Of.SENT, AtFace(0), "face (0, 1, 2)")
+    whole = (*SOLID, (4, 6, 5), (4, 4, 5))
+    found = only(compare(placed(two, *at), placed(whole, *at)))
+    assert found == Difference(Kind.COMPONENTS_MIRRORED, 1, Of.SENT, AtFace(4), "face (4, 5, 6)")
+
+
+def test_turned_twins() -> None:
+    """ORCL-CODEC-6: of a face that is there in both orientations one is turned over."""
+    sent = placed((*SOLID, (0, 2, 1)), *CORNERS)
+    came = placed((*SOLID, (0, 1, 2)), *CORNERS)
+    assert only(compare(sent, came)) == Difference(
+        Kind.ORIENTATION, 1, Of.SENT, AtFace(4), "face (0, 2, 1)"
+    )
+
+
+def test_component_with_its_degenerate_faces() -> None:
+    """ORCL-CODEC-6: it is lost when its proper faces are; the others are named beside."""
+    sent = placed((*SOLID, (4, 5, 6), (4, 4, 5)), *CORNERS, (7, 0, 0), (8, 0, 0), (9, 1, 0))
+    assert kinds(compare(sent, placed(SOLID, *CORNERS))) == [
+        ("components-lost", 1),
+        ("dropped-degenerate-faces", 1),
+        ("vertices-lost", 3),
+    ]
+
+
+def test_twins_lost_together() -> None:
+    """ORCL-CODEC-6: of duplicates none is left, so they are lost, not dropped."""
+    sent = placed((*SOLID, (0, 1, 2)), *CORNERS)
+    found = only(compare(sent, placed(SOLID[1:], *CORNERS)))
+    assert (found.kind, found.count, found.at) == (Kind.FACES_LOST, 2, AtFace(0))
+
+
+def test_duplicate_with_the_other_side_left() -> None:
+    """ORCL-CODEC-6: a face on its sites is left."""
+    sent = placed((*SOLID, (0, 2, 1)), *CORNERS)
+    found = only(compare(sent, placed(SOLID, *CORNERS)))
+    assert (found.kind, found.count, found.at) == (Kind.DUPLICATES_DROPPED, 1, AtFace(4))
+
+
+def test_isolated_vertices_are_missed_first() -> None:
+    """ORCL-CODEC-6: at one place three vertices, one of them isolated; one came back."""
+    sent = placed(((0, 1, 2), (3, 4, 5)), *CORNERS[:3], CORNERS[0], (5, 0, 0), (0, 5, 0), (0, 0, 0))
+    came = placed(((0, 1, 2), (0, 3, 4)), *CORNERS[:3], (5, 0, 0), (0, 5, 0))
+    assert kinds(compare(sent, came)) == [("vertices-merged", 1), ("lost-isolated-vertices", 1)]
+    found = compare(sent, came)
+    assert isinstance(found, Differs)
+    assert [d.at for d in found.differences] == [AtVertex(3), AtVertex(6)]
+    assert kinds(compare(came, sent)) == [("vertices-split", 1), ("vertices-added", 1)]
+
+
+def test_what_cannot_be_compared() -> None:
+    """ORCL-CODEC-6: nothing else is named."""
+    good, stray = bare(*SOLID, vertices=4), bare(*SOLID, (0, 1, 4), (-1, 0, 1), vertices=4)
+    assert only(compare(good, stray)) == Difference(
+        Kind.STRAY_INDEX, 2, Of.CAME, AtFace(4), "face (0, 1, 4) with 4 vertices"
+    )
+    assert only(compare(stray, good)).of is Of.SENT
+    few = form.MeshForm(
+        faces=(), vertices=2, positions=form.Places(precision="f32", coordinates=(0.0,) * 7)
+    )
+    counted = only(compare(good, few))
+    assert counted == Difference(
+        Kind.COORDINATE_COUNT, 1, Of.CAME, WHOLE, "7 coordinates for 2 vertices"
+    )
+    assert kinds(compare(stray, few)) == [("index-out-of-range", 2), ("coordinate-count", 1)]
+
+
+def test_positions_lost_and_added() -> None:
+    """ORCL-CODEC-6: and the connectivity is compared all the same."""
+    with_places, without = placed(SOLID, *CORNERS), bare(*SOLID, vertices=4)
+    assert only(compare(with_places, without)) == Difference(Kind.POSITIONS_LOST, 4)
+    assert only(compare(without, with_places)) == Difference(Kind.POSITIONS_ADDED, 4, Of.CAME)
+    more = placed((*SOLID, (0, 0, 1)), *CORNERS)
+    assert kinds(compare(more, without)) == [
+        ("positions-lost", 4),
+        ("dropped-degenerate-faces", 1),
+    ]
+
+
+def test_without_places() -> None:
+    """ORCL-CODEC-6: components are known by their connectivity, the rest is paired."""
+    solid = bare(*SOLID, vertices=4)
+    assert kinds(compare(bare(*SOLID, vertices=6), solid)) == [("lost-isolated-vertices", 2)]
+    assert kinds(compare(bare(*SOLID, (0, 0, 1), vertices=4), solid)) == [
+        ("dropped-degenerate-faces", 1)
+    ]
+    assert kinds(compare(bare(*SOLID, (2, 0, 1), vertices=4), solid)) == [
+        ("dropped-duplicate-faces", 1)
+    ]
+    apart = bare(*SOLID, (4, 5, 6), vertices=7)
+    assert kinds(compare(apart, bare((0, 1, 2), vertices=3))) == [
+        ("components-lost", 1),
+        ("vertices-lost", 4),
+    ]
+    assert kinds(compare(apart, bare(*SOLID, vertices=7))) == [("components-lost", 1)]
+    assert kinds(compare(bare((0, 1, 2), vertices=3), bare(vertices=0))) == [
+        ("components-lost", 1),
+        ("vertices-lost", 3),
+    ]
+
+
+def test_strangers_are_counted() -> None:
+    """ORCL-CODEC-6: no component of one is like one of the other."""
+    solid = bare(*SOLID, vertices=4)
+    open_one = bare(*SOLID[:3], vertices=4)
+    assert only(compare(solid, open_one)) == Difference(
+        Kind.FACES_LOST, 1, detail="by number alone"
+    )
+    assert kinds(compare(open_one, solid)) == [("faces-added", 1)]
+    strip = bare((0, 1, 2), (1, 3, 2), (2, 3, 4), (3, 5, 4), vertices=6)
+    assert kinds(compare(solid, strip)) == [("vertices-added", 2), ("connectivity-changed", 4)]
+    assert kinds(compare(strip, solid)) == [("vertices-lost", 2), ("connectivity-changed", 4)]
+    fan = bare((0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 5), vertices=6)
+    assert only(compare(strip, fan)) == Difference(
+        Kind.REJOINED, 4, detail="as many faces, joined otherwise"
+    )
+
+
+def test_mirrored_component_without_places() -> None:
+    """ORCL-CODEC-6: four triangles in a zigzag are not their own mirror image."""
+    strip = ((0, 1, 2), (1, 3, 2), (2, 3, 4), (3, 5, 4))
+    over = tuple((a, c, b) for a, b, c in strip)
+    sent = bare(*strip, (6, 7, 8), vertices=9)
+    assert only(compare(sent, bare(*over, (6, 7, 8), vertices=9))) == Difference(
+        Kind.COMPONENTS_MIRRORED, 1, Of.SENT, AtFace(0), "face (0, 1, 2)"
+    )
+
+
+def test_exchanged_faces_at_one_place() -> None:
+    """ORCL-CODEC-6."""
+    fan: tuple[Face, ...] = ((0, 1, 2), (0, 3, 4), (5, 1, 4), (5, 2, 3))
+    other: tuple[Face, ...] = ((0, 1, 2), (5, 3, 4), (5, 1, 4), (0, 2, 3))
+    at = (*CORNERS, (5.0, 0.0, 0.0), CORNERS[0])
+    assert only(compare(placed(fan, *at), placed(other, *at))) == Difference(
+        Kind.REJOINED, 4, detail="vertices at one place have exchanged faces"
+    )
+
+
+# bounds
+
+
+def test_too_many_vertices() -> None:
+    """ORCL-CODEC-8: a message can name any number of them."""
+    many = form.MeshForm(faces=(), vertices="1" + "0" * 30)
+    assert compare(bare(vertices=1), many) == Undecided(f"more than {MOST} vertices")
+    assert compare(many, bare(vertices=1)) == Undecided(f"more than {MOST} vertices")
+
+
+def test_search_is_given_up() -> None:
+    """ORCL-CODEC-8: after so many steps; with one more there is an answer."""
+    torus = bare(*grid_torus(3, 3).faces, vertices=9)
+    other = renamed(grid_torus(3, 3).faces, None, 9, 1)
+    assert compare(torus, other, EXACT, 17) == Undecided(
+        "no isomorphism was found or excluded in 17 steps"
+    )
+    assert isinstance(compare(torus, other, EXACT, 200), Same)
+
+
+def test_places_need_no_search() -> None:
+    """ORCL-CODEC-5: where each site has one vertex of either mesh, no step is taken."""
+    sent, came = placed(SOLID, *CORNERS), placed(SOLID[::-1], *CORNERS)
+    assert isinstance(compare(sent, came, EXACT, 0), Same)
+
+
+def test_walks_are_linear() -> None:
+    """ORCL-CODEC-5: with one face unlike all others, few steps for each face."""
+    faces = (*grid_torus(8, 9).faces, (0, 0, 1))
+    sent, came = bare(*faces, vertices=72), renamed(faces, None, 72, 3)
+    assert isinstance(compare(sent, came, EXACT, 12 * len(faces)), Same)
+
+
+# parts
+
+
+def test_colours_and_mirror() -> None:
+    """ORCL-CODEC-5: a vertex takes up what is around it; turned over, faces run the other way."""
+    one = net(((0, 1, 2),), 4)
+    assert one.units == ((0, 1, 2), (3,))
+    assert one.parts == ((0,), (1,))
+    (colours,) = coloured([one], [[0, 0, 0, 0]])
+    assert colours[0] == colours[1] == colours[2] != colours[3]
+    (marked,) = coloured([one], [[7, 0, 0, 0]])
+    assert len(set(marked)) == 4
+    assert mirrored(one).units == ((0, 2, 1), (3,))
+    assert net(((0, 1, 2), (1, 2, 0), (0, 2, 1)), 3).times == (2, 1)
+
+
+def test_laws_can_fail() -> None:
+    """A wrong answer is seen by each law."""
+    one, other = placed(SOLID, *CORNERS), placed(SOLID[1:], *CORNERS)
+    laws = {law.name: law for law in LAWS}
+    pair = MeshPair(one, other, EXACT)
+    failed = laws["a-mesh-under-other-names-is-the-same"].check(pair)
+    assert isinstance(failed, Fails)
+    wrong = Planted(pair, ((Kind.FACES_LOST, 2),))
+    assert isinstance(laws["differences-are-named"].check(wrong), Fails)
+    right = Planted(pair, ((Kind.FACES_LOST, 1),))
+    assert laws["differences-are-named"].check(right) == Holds()
+    none = Planted(MeshPair(one, one, EXACT), ())
+    assert isinstance(laws["differences-are-named"].check(none), Fails)
+
+
+@pytest.mark.parametrize(
+    ("law", "wrong"),
+    [
+        ("same-is-what-some-permutation-does", Same((0, 1, 2, 3))),
+        ("same-is-what-some-permutation-does", Undecided("")),
+        ("what-is-not-the-same-has-a-difference", Differs(())),
+        (
+            "what-is-not-the-same-has-a-difference",
+            Differs((Difference(Kind.MOVED, 1), Difference(Kind.FACES_LOST, 1))),
+        ),
+        ("what-is-not-the-same-has-a-difference", Differs((Difference(Kind.MOVED, 0),))),
+    ],
+)
+def test_laws_see_wrong_answers(law: str, wrong: Compared, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each law of tiny meshes fails when `compare` answers so."""
+    pair = MeshPair(placed(SOLID, *CORNERS), placed(SOLID[1:], *CORNERS), EXACT)
+    known = {each.name: each for each in LAWS}[law]
+    assert known.check(pair) == Holds()
+    monkeypatch.setattr("clers.conformance.judging.laws_meshes.compare", lambda *_: wrong)
+    assert isinstance(known.check(pair), Fails)
+
+
+def test_law_sees_a_wrong_certificate(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A map that carries no face, moves a place, or is none."""
+    one = placed(SOLID, *CORNERS)
+    known = LAWS[0]
+    for image in ((1, 0, 2, 3), (0, 0, 1, 2), (1, 2, 0, 3), (0, 1, 2)):
+        answer = Same(image)
+        monkeypatch.setattr(
+            "clers.conformance.judging.laws_meshes.compare", lambda *_, answer=answer: answer
+        )
+        assert isinstance(known.check(MeshPair(one, one, EXACT)), Fails)
+
+
+def test_law_sees_one_sided_answers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """ORCL-CODEC-4."""
+    one, other = placed(SOLID, *CORNERS), placed(SOLID[1:], *CORNERS)
+
+    def sided(sent: form.MeshForm, came: form.MeshForm, _: object) -> Compared:
+        return Same(()) if len(sent.faces) > len(came.faces) else Differs(())
+
+    monkeypatch.setattr("clers.conformance.judging.laws_meshes.compare", sided)
+    assert isinstance(LAWS[2].check(MeshPair(one, other, EXACT)), Fails)

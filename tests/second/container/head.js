@@ -1,0 +1,41 @@
+'use strict';
+// The section HEAD (FILE-HEAD-1 to FILE-HEAD-3), and what it lets a reader refuse (FILE-LIMIT-2, FILE-SECTION-5).
+
+const { Writer } = require('./writer.js');
+const limits = require('../limits.js');
+const { reject } = require('../rejection.js');
+
+const CODES = ['plain', 'golden', 'huffman', 'adaptive-1', 'adaptive-3', 'adaptive-6', 'king-rossignac', 'minimax-3',
+  'minimax-8', 'context', 'enumerative', 'best'];
+const CODINGS = ['none', 'exact-f32', 'exact-f64', 'lattice'];
+const COUNTS = ['faces', 'vertices', 'boundaryComponents', 'symbols', 'records'];
+
+function readHead(sections) {
+  if (!sections.has('HEAD')) reject('bad-section', 'FILE-SECTION-5', { section: 'HEAD' });
+  const reader = sections.get('HEAD');
+  const head = { code: reader.oneOf(CODES), coding: reader.oneOf(CODINGS) };
+  for (const count of COUNTS) head[count] = reader.varint(32);
+  reader.end();
+  if (Math.max(head.faces, head.symbols) > limits.FACES) reject('too-many-faces', 'FILE-LIMIT-2');
+  if (head.vertices > limits.VERTICES) reject('too-many-vertices', 'FILE-LIMIT-2');
+  checkPresence(sections, head);
+  return head;
+}
+
+/** FILE-SECTION-5. */
+function checkPresence(sections, head) {
+  const asked = { WORD: true, HAND: head.records !== 0, POSN: head.coding !== 'none' };
+  for (const [section, expected] of Object.entries(asked)) {
+    if (sections.has(section) !== expected) reject('bad-section', 'FILE-SECTION-5', { section });
+  }
+}
+
+function writeHead(head) {
+  const writer = new Writer();
+  writer.oneOf(CODES, head.code);
+  writer.oneOf(CODINGS, head.coding);
+  for (const count of COUNTS) writer.varint(head[count]);
+  return writer.bytes;
+}
+
+module.exports = { readHead, writeHead };
