@@ -1,0 +1,51 @@
+"""How the kernels are compiled when the package is built, where there is a C compiler.
+
+Named in pyproject.toml as the command that builds extensions. Nothing of this is installed.
+"""
+
+import sys
+from pathlib import Path
+
+from mypyc.build import mypycify
+from setuptools import Extension
+from setuptools.command.build_ext import build_ext
+from typing_extensions import override
+
+sys.path.insert(0, str(Path(__file__).parent))
+from clers.kernels import STAMP, digest
+
+KERNELS = Path("reference/clers/kernels")
+
+
+class BuildKernels(build_ext):
+    """Translates the kernels by mypyc and compiles them; where that fails they stay as they are."""
+
+    @override
+    def finalize_options(self) -> None:
+        """Put the translated kernels in the place of the one that is declared."""
+        sources = sorted(str(path) for path in KERNELS.glob("*.py") if path.stem != "__init__")
+        made = mypycify(sources, opt_level="3", group_name="clers_kernels")
+        extensions = [extension for extension in made if isinstance(extension, Extension)]
+        for extension in extensions:
+            extension.optional = True
+        # setuptools names its class twice, and means the same.
+        self.distribution.ext_modules = extensions  # type: ignore[assignment]
+        super().finalize_options()
+
+    @override
+    def run(self) -> None:
+        """Compile."""
+        super().run()
+        _stamp(Path(self.build_lib) / "clers" / "kernels")
+
+    @override
+    def copy_extensions_to_source(self) -> None:
+        """For an editable installation: into the checkout."""
+        super().copy_extensions_to_source()
+        _stamp(KERNELS)
+
+
+def _stamp(folder: Path) -> None:
+    """Say beside machine code of which sources it was made."""
+    if any(path.suffix in (".so", ".pyd") for path in folder.glob("table.*")):
+        (folder / STAMP).write_text(f"{digest(KERNELS)}\n", "ascii")
