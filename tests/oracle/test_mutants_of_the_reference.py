@@ -29,6 +29,9 @@ from clers.oracle.mutants.mutant import Mutant, changed
 from clers.oracle.mutants.reached import Reached, reached
 from clers.oracle.mutants.report import Report, report, row
 from clers.oracle.mutants.trial import Fate, Tried, tried
+from clers.oracle.negatives.from_mutants import drafts
+from clers.oracle.positives.asked import answered
+from clers.oracle.positives.from_mutants import from_mutants
 from clers.oracle.suite.files import read_suite
 from clers.oracle.suite.records import Part, Score, Survivor
 from clers.oracle.suite.rendered import suite_files
@@ -166,6 +169,25 @@ def test_a_mistake_is_seen_where_it_matters(name: str, killer: Case | None) -> N
         assert (found.fate, found.by, found.status) == (Fate.KILLED, killer.id, "fail")
         assert found.asked == CASES.index(killer) + 1
         assert "expected" in found.why
+
+
+ASKED_FOR = (*(draft.case for draft in drafts()), *map(answered, from_mutants()))
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("degenerate-face-accepted", "tetrahedron-and-triangle-triangle-folded"),
+        ("lower-half-too-wide", "arithmetic-ends-just-over-half"),
+        ("bridge-onto-edge", "bridge-onto-edge"),
+        ("link-condition-forgotten", "circle-of-three-edges-contracted"),
+    ],
+)
+def test_a_mistake_asks_for_a_case(name: str, words: str) -> None:
+    """And among the cases so asked for it is seen there first. Clause: ORCL-MUTANT-8."""
+    found = tried([name], ASKED_FOR)
+    assert found.fate is Fate.KILLED
+    assert re.fullmatch(rf"{words}-[a-z2-7]{{8}}", found.by), found.by
 
 
 def test_without_a_name_there_is_no_mistake() -> None:

@@ -35,9 +35,9 @@ def run(names: Sequence[str], folder: Path, workers: int) -> Iterator[Tried]:
             yield Tried(Fate.LOST, 0, why=found.why) if isinstance(found, Lost) else found
 
 
-def try_one(item: Item) -> Tried:
+def try_one(item: Item) -> Iterator[Tried]:
     """One mutant beside the cases, the likely killers first. ORCL-MUTANT-2 … ORCL-MUTANT-4."""
-    return tried([item.name], in_order(cases_of(item.folder), BY_NAME[item.name]))
+    yield tried([item.name], in_order(cases_of(item.folder), BY_NAME[item.name]))
 
 
 @lru_cache(maxsize=1)
