@@ -80,9 +80,10 @@ class Reader {
 
   /** FILE-BITS-1. */
   bits() {
+    const start = this.offset;
     const length = this.varint(40);
     const bytes = this.raw(Math.ceil(length / 8));
-    if (fillingIsNotZero(bytes, length)) reject('trailing-bits', 'FILE-BITS-1', this.at(this.offset - 1));
+    if (fillingIsNotZero(bytes, length)) reject('trailing-bits', 'ARITH-BITS-3', this.at(start));
     return { bytes, length };
   }
 
