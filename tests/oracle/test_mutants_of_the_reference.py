@@ -1,7 +1,13 @@
 """Mistakes in the reference, and a small suite that notices some of them."""
 
+import os
 import re
+import signal
+import subprocess
+import sys
+import time
 from collections.abc import Sequence
+from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -371,3 +377,36 @@ def test_the_command_draws_by_a_seed(tmp_path: Path) -> None:
     assert (said["seed"], len(said["tried"])) == (3, 2)
     (folder / "flags.json").write_text("{}")
     assert isinstance(reached(folder), str), "the suite is not good"
+
+
+def adapters_with(mark: str) -> list[int]:
+    """The adapters of mutants that run with a mark in their environment."""
+    found: list[int] = []
+    for place in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            marked = mark.encode() in (place / "environ").read_bytes()
+            if marked and b"clers.oracle.mutants.adapter" in (place / "cmdline").read_bytes():
+                found.append(int(place.name))
+    return found
+
+
+def test_an_interrupted_campaign(small: Path) -> None:
+    """What is known is printed, and nobody is left. Clauses: ORCL-MUTANT-5, ORCL-RUN-9."""
+    mark = f"CLERS_TEST_MARK={small}"
+    main = "from clers.cli.main import main; main()"
+    command = (sys.executable, "-c", main, "mutants", "--vectors", str(small))
+    environment = {**os.environ, "CLERS_TEST_MARK": str(small)}
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment
+    ) as campaign:
+        deadline = time.monotonic() + 60
+        while not adapters_with(mark):
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+        campaign.send_signal(signal.SIGINT)
+        out, errors = campaign.communicate(timeout=60)
+    assert campaign.returncode == 130, errors
+    assert f"of {len(MUTANTS)} mutants" not in out.decode()
+    assert re.search("interrupted: [0-9]+ mutants were not tried\n$", out.decode())
+    assert errors == b"clers: interrupted\n"
+    assert adapters_with(mark) == []

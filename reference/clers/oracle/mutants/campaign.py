@@ -1,6 +1,6 @@
 """Many mutants over the cases of a suite, some at a time."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import lru_cache
@@ -24,7 +24,7 @@ class Item:
     folder: str
 
 
-def run(names: Sequence[str], folder: Path, workers: int) -> Iterator[Tried]:
+def run(names: Sequence[str], folder: Path, workers: int) -> Generator[Tried, None, None]:
     """The fate of each mutant, in order, as it is known. Clause: ORCL-MUTANT-3.
 
     Close it to end what still runs.
