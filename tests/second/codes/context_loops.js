@@ -7,7 +7,7 @@ const GONE = -1;
 const RIGHT = 1;
 const LEFT = 2;
 
-/** Undoes the symbols of a word from its end. Number n of them has the edges 3n (the gate's), 3n + 1 right, 3n + 2 left. */
+/** Undoes a word from its end. The symbol undone as number n has the edges 3n (gate), 3n + 1 right, 3n + 2 left. */
 class CountedLoops {
   constructor(symbols, closings) {
     this.loops = new Loops(3 * symbols);

@@ -15,11 +15,12 @@ function readHead(sections) {
   if (!sections.has('HEAD')) reject('bad-section', 'FILE-SECTION-5', { byte: FIRST_SECTION });
   const reader = sections.get('HEAD');
   const head = { code: reader.oneOf(CODES), coding: reader.oneOf(CODINGS) };
-  if (reader.left < COUNTS.length) reject('impossible-count', 'FILE-COUNT-1', reader.at(reader.offset));
-  for (const count of COUNTS) head[count] = reader.varint(32);
+  const counts = reader.times(COUNTS.length, () => reader.varint(32));
+  COUNTS.forEach((count, place) => { head[count] = counts[place]; });
   reader.end();
-  if (Math.max(head.faces, head.symbols) > limits.FACES) reject('too-many-faces', 'FILE-LIMIT-2', reader.at(reader.start));
-  if (head.vertices > limits.VERTICES) reject('too-many-vertices', 'FILE-LIMIT-2', reader.at(reader.start));
+  const declared = reader.at(reader.start);
+  if (Math.max(head.faces, head.symbols) > limits.FACES) reject('too-many-faces', 'FILE-LIMIT-2', declared);
+  if (head.vertices > limits.VERTICES) reject('too-many-vertices', 'FILE-LIMIT-2', declared);
   checkPresence(sections, head, reader.bytes.length);
   return head;
 }

@@ -70,6 +70,12 @@ class Reader {
     return Number(this.bigSigned(width));
   }
 
+  /** So many values, each by `read`, which takes one byte at least (FILE-COUNT-1). */
+  times(count, read) {
+    if (this.left < count) reject('impossible-count', 'FILE-COUNT-1', this.at(this.offset));
+    return Array.from({ length: count }, read);
+  }
+
   /** FILE-NUMBER-5. */
   oneOf(choices) {
     const start = this.offset;
