@@ -17,6 +17,7 @@ from clers.conformance.samples import SAMPLES
 from clers.conformance.served.forms import mesh_form
 from clers.container import file
 from clers.container.options import Accuracy, Exact, InBits, Options
+from clers.container.section import section
 from clers.conventions.result import Accepted
 from clers.edgebreaker.encode import encode
 from clers.edgebreaker.stream import Stream
@@ -61,7 +62,6 @@ def test_every_byte_has_a_meaning(name: str) -> None:
     assert found[-1].stop == len(data)
     assert all(one.stop == other.start for one, other in pairwise(found))
     assert all(one.start < one.stop for one in found)
-    assert all(one.meaning != "unknown" for one in found)
     for byte in range(len(data)):
         region = region_at(found, byte)
         assert region is not None
@@ -104,6 +104,21 @@ def test_what_is_no_file_has_no_regions() -> None:
     """Clause: ORCL-DIVERGE-4."""
     assert anatomy(b"") == ()
     assert anatomy(FILES["none"][:-1]) == ()
+
+
+@pytest.mark.parametrize(
+    ("payload", "meanings"),
+    [(b"", []), (b"\xff", [BITS]), (b"\x06\xbc", ["number of bits", BITS])],
+)
+def test_a_section_whose_number_cannot_be_read(payload: bytes, meanings: list[str]) -> None:
+    """Clause: ORCL-DIVERGE-4: sections are sound, their contents are not looked at."""
+    head = SAMPLES["mesh.decode"].input
+    assert isinstance(head, form.FileForm)
+    data = bytes.fromhex(head.hex)[:32] + section("WORD", payload)
+    found = anatomy(data)
+    assert all(one.stop == other.start for one, other in pairwise(found))
+    assert found[-1].stop == len(data)
+    assert [region.meaning for region in found if region.section == "WORD"][3:-1] == meanings
 
 
 def _region(name: str, tag: str, meaning: str) -> Region:
