@@ -77,6 +77,13 @@ def _places() -> Iterator[Draft]:
         far, "one-step-further", (replaced(f"{meshes.NUMBERS}/3", 0, ALMOST, ALMOST + 1),),
         R.NOT_REPRESENTABLE, C.GEOM_LATTICE_3, flags=("lattice-not-checked",),
     )  # fmt: skip
+    low = tuple(-x if x == ALMOST else x for x in corners)
+    below = meshes.parent("far-low-corner", form.LatticeForm(exponent=0), low, single=False)
+    yield below
+    yield bad(
+        below, "one-step-further", (replaced(f"{meshes.NUMBERS}/6", 0, -ALMOST, -ALMOST - 1),),
+        R.NOT_REPRESENTABLE, C.GEOM_LATTICE_3, flags=("lattice-not-checked",),
+    )  # fmt: skip
 
 
 def _scripts() -> Iterator[Draft]:
@@ -93,6 +100,7 @@ def _scripts() -> Iterator[Draft]:
 TWO = "zero-handle 0 1 2; zero-handle 3 4 5; "
 RING = "zero-handle-polygon 0 1 2 3 4 5 6 7; lower 0 1 4 5; "
 CIRCLE = "first-vertex 0; edge-and-vertex 0 1; edge-and-vertex 1 2; edge-between-ends 0 2"
+EDGE = "attach 0 1 2; attach 1 2 3 / 1 2"
 STRIP = "attach 0 1 2; attach 1 2 3 / 1 2; attach 2 3 4 / 2 3"
 SPHERE = (
     "attach 0 1 2; attach 0 1 3 / 0 1; attach 0 2 3 / 0 2 / 0 3; attach 1 2 3 / 1 2 / 1 3 / 2 3"
@@ -107,6 +115,12 @@ SCRIPTS = (
      "contracted", f"{CIRCLE}; contract 0 / 1", R.LINK_CONDITION, C.OPER_CONTRACT_1),
     ("sphere-of-four-triangles", SPHERE, (),
      "contracted", f"{SPHERE}; contract 0 / 1", R.LINK_CONDITION, C.OPER_CONTRACT_1),
+    ("two-triangles-attached", EDGE, (),
+     "subdivided-by-what-is-there", f"{EDGE}; subdivide 1 2 / 3",
+     R.PRESENT_SIMPLEX, C.OPER_STELLAR_1),
+    ("two-triangles-attached", EDGE, (),
+     "subdivided-where-nothing-is", f"{EDGE}; subdivide 0 3 / 4",
+     R.MISSING_SIMPLEX, C.OPER_STELLAR_1),
     ("strip-of-three-triangles", STRIP, (),
      "contracted-across", f"{STRIP}; contract 1 / 2", R.LINK_CONDITION, C.OPER_CONTRACT_1),
 )  # fmt: skip
