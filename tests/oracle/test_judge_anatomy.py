@@ -6,6 +6,7 @@ from typing import Final
 import pytest
 from judged_by_hand import divergence_of
 
+from clers.codes import registry
 from clers.codes.registry import CodeName
 from clers.complexes.corner_table import surface
 from clers.complexes.surface import Surface
@@ -49,6 +50,9 @@ FILES: Final = {
     "double": _file(Precision.F64, Exact()),
     "lattice": _file(Precision.F64, InBits(9)),
 }
+OPEN: Final = Stream("CRSRLEE", (), 1)
+"""A disc."""
+
 AXES: Final = "xyz"
 NUMBERS: Final = ("exponent", "low x", "low y", "low z", "extent x", "extent y", "extent z")
 
@@ -156,28 +160,59 @@ def test_the_first_bit_of_a_section(tag: str, bit: int) -> None:
         assert "written" not in found.place
 
 
-def test_groups_of_a_word_in_plain_and_golden() -> None:
-    """Clause: ORCL-DIVERGE-3: they follow each other; the C that is implied has none."""
+@pytest.mark.parametrize(
+    ("code", "first", "last"),
+    [
+        (CodeName.PLAIN, 1, 16),
+        (CodeName.GOLDEN, 1, END),
+        (CodeName.HUFFMAN, END, 16),
+        (CodeName.ADAPTIVE_1, 1, END),
+        (CodeName.ADAPTIVE_3, 1, END),
+        (CodeName.ADAPTIVE_6, 1, END),
+    ],
+)
+@pytest.mark.parametrize("boundary", [False, True])
+def test_groups_of_a_word(code: CodeName, first: int, last: int, boundary: bool) -> None:
+    """Clause: ORCL-DIVERGE-3: they are all bits; the C that is implied has none."""
+    stream = OPEN if boundary else encode(TORUS).stream
+    implied = 0 if boundary else 1
+    bits = registry.encode(code, stream)
+    assert isinstance(bits, Accepted)
+    found = groups_of_word(code, stream)
+    assert found[0].start == 0
+    assert found[-1].stop == bits.value.length
+    assert all(one.stop == other.start for one, other in pairwise(found))
+    letters = [group for group in found if group.symbol != END]
+    assert [group.symbol for group in letters] == list(range(implied, len(stream.word)))
+    assert "".join(group.name for group in letters) == stream.word[implied:]
+    if not boundary:
+        assert len(stream.word) == 17
+        assert (found[0].symbol, found[-1].symbol) == (first, last)
+
+
+def test_the_codewords_of_each_letter() -> None:
+    """Clauses: ORCL-DIVERGE-3, CODE-PLAIN-1, CODE-HUFFMAN-1: one letter, one codeword."""
     stream = encode(TORUS).stream
-    for code, last in ((CodeName.PLAIN, len(stream.word) - 1), (CodeName.GOLDEN, END)):
-        found = groups_of_word(code, stream)
-        assert found[0].start == 0
-        assert all(one.stop == other.start for one, other in pairwise(found))
-        letters = [group for group in found if group.symbol != END]
-        assert [group.symbol for group in letters] == list(range(1, len(stream.word)))
-        assert "".join(group.name for group in letters) == stream.word[1:]
-        assert found[-1].symbol == last
-    open_stream = Stream("RE", (), 1)
-    plain = groups_of_word(CodeName.PLAIN, open_stream)
-    assert plain == (Group(0, "R", 0, 3), Group(1, "E", 3, 6))
+    for code in (CodeName.PLAIN, CodeName.HUFFMAN):
+        bits = registry.encode(code, stream)
+        assert isinstance(bits, Accepted)
+        digits = bits.value.digits()
+        words = {
+            (group.name, digits[group.start : group.stop])
+            for group in groups_of_word(code, stream)
+            if group.symbol != END
+        }
+        assert len(words) == len({name for name, _ in words}) == len(set(stream.word[1:]))
+    table = groups_of_word(CodeName.HUFFMAN, stream)[0]
+    assert table == Group(END, "the table", 0, 15)
 
 
 @pytest.mark.parametrize("word", ["", "XRE", "CRXE"])
 def test_what_no_code_takes_has_no_groups(word: str) -> None:
     """Clause: ORCL-DIVERGE-3."""
-    for code in (CodeName.PLAIN, CodeName.GOLDEN):
+    for code in (CodeName.PLAIN, CodeName.GOLDEN, CodeName.HUFFMAN, CodeName.ADAPTIVE_3):
         assert groups_of_word(code, Stream(word, (), 0)) == ()
-    assert groups_of_word(CodeName.HUFFMAN, Stream("CRE", (), 0)) == ()
+    assert groups_of_word(CodeName.BEST, Stream("CRE", (), 0)) == ()
     assert groups_of_word(None, Stream("CRE", (), 0)) == ()
 
 
@@ -192,7 +227,7 @@ def test_groups_of_messages() -> None:
     assert _coding("arithmetic", halves, 0, 1) == (
         Group(0, "0", 0, 1),
         Group(1, "1", 1, 2),
-        Group(END, "", 2, 4),
+        Group(END, "the end", 2, 4),
     )
     assert _coding("arithmetic", halves, 0, 2) == (Group(0, "0", 0, 1),)
     assert _coding("arithmetic", halves, -1) == ()
@@ -205,4 +240,4 @@ def test_groups_of_messages() -> None:
 def test_a_group_in_words() -> None:
     """Clause: ORCL-DIVERGE-3."""
     assert Group(3, "S", 0, 1).told() == "symbol 3 (S)"
-    assert Group(END, "", 0, 1).told() == "the end"
+    assert Group(END, "the end", 0, 1).told() == "the end"

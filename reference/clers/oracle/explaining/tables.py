@@ -86,7 +86,7 @@ def _known(number: int | UnsetType) -> str:
 def _bits(groups: Sequence[Group], digits: str) -> tuple[Table, ...]:
     if not groups:
         return ()
-    rows = tuple((_number(g), g.name or "end", digits[g.start : g.stop] or "–") for g in groups)
+    rows = tuple((_number(g), g.name, digits[g.start : g.stop] or "–") for g in groups)
     return (Table(title="the bits", heads=BITS, rows=rows),)
 
 
