@@ -165,6 +165,7 @@ def test_the_suite_has_them() -> None:
         (Stream("SEE", (Record(Kind.HANDLE, 1, 0, Side.LEFT),)), ("handles",)),
         (Stream("SSEE", (Record(Kind.BOUNDARY, 1, 0, Side.LEFT),)), ("boundaries.one",)),
         (Stream("SE", (Record(Kind.BOUNDARY, 0, 0, Side.LEFT),), 1), ("boundaries.many",)),
+        (Stream("SE", (Record(Kind.BOUNDARY, 0, 0, Side.LEFT),), -1), ("boundaries.one",)),
         (Stream(""), ()),
     ],
 )
@@ -225,12 +226,13 @@ def test_bits_by_pencil(code: str, word: str) -> None:
 
 def test_counts_by_pencil_are_halved() -> None:
     """Clauses: INFO-ADAPT-1, INFO-ADAPT-2."""
-    counts = pencil.Counts((1, 2, 3), 3, 9)
+    counts = pencil.Counts((1, 2, 3), 2, 8)
     assert counts.slot(0) == (0, 1, 6)
-    assert counts.slot(2) == (6, 9, 9)
+    assert counts.frequencies == [3, 2, 3]
+    assert counts.slot(2) == (5, 8, 8)
     assert counts.frequencies == [2, 1, 3]
     assert counts.slot(1) == (2, 3, 6)
-    assert counts.frequencies == [2, 4, 3]
+    assert counts.frequencies == [2, 3, 3]
 
 
 @pytest.mark.parametrize("symbols", [(), (1,), (0, 2), (1,) * 70 + (2,), (2, 0) * 40])
