@@ -368,6 +368,20 @@ def test_one_vertex_for_two() -> None:
         ("vertices-lost", 1),
         ("position-moved", 1),
     ]
+    found = compare(came, sent)
+    assert kinds(found) == [
+        ("faces-added", 1),
+        ("vertices-added", 1),
+        ("position-moved", 1),
+    ]
+
+
+def test_move_across_zero() -> None:
+    """ORCL-CODEC-7: by the difference, whatever the signs."""
+    sent = placed(SOLID, (-1.0, 4.0, 0.0), *CORNERS[1:])
+    came = placed(SOLID, (2.0, 3.0, 0.0), *CORNERS[1:])
+    found = only(compare(sent, came))
+    assert (found.kind, found.by, found.axis) == (Kind.MOVED, 3.0, "x")
 
 
 def test_strangers_are_counted() -> None:
