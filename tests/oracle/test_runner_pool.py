@@ -11,10 +11,13 @@ import dask.config
 import pool_tasks as tasks
 import pytest
 from distributed import LocalCluster
+from small_suite import BIT, CANARIES, CODED, ECHOES, WORDS, adapter
 
 from clers.oracle.pool.local import AHEAD, DEATHS, TRIES, by_processes
 from clers.oracle.pool.place import Cluster, Local, Lost, Place
 from clers.oracle.pool.spread import obstacle, spread
+from clers.oracle.runs.events import Came, Sang
+from clers.oracle.runs.run import Plan, run
 
 NUMBERS = range(20)
 DOUBLED = [2 * number for number in NUMBERS]
@@ -178,6 +181,15 @@ def test_what_a_task_raises_on_a_cluster(cluster: Place) -> None:
     assert [next(campaign) for _ in range(2)] == [0, 0]
     with pytest.raises(ValueError, match="1 is odd"):
         next(campaign)
+
+
+def test_a_run_on_a_cluster(cluster: Place) -> None:
+    """Clauses: ORCL-POOL-1, ORCL-POOL-3, ORCL-CHECK-1: it is the run of one process."""
+    who = adapter(BIT)
+    cases = (*ECHOES, *WORDS, *CODED)
+    here, there = (list(run(Plan(who, place), cases, CANARIES)) for place in (Local(1), cluster))
+    assert there == here
+    assert {type(event) for event in here} == {Came, Sang}
 
 
 def test_no_scheduler_and_no_extra(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,10 +8,10 @@ import typer
 from clers.cli.adapter_command import Command, words_of
 from clers.cli.options import AsJson
 from clers.cli.output import Exit, json, note, stop
+from clers.cli.places import place_of
 
 if TYPE_CHECKING:
     from clers.conformance.bounds import Bounds
-    from clers.oracle.pool.place import Place
     from clers.oracle.runs.baseline import Baseline
     from clers.oracle.runs.pieces import Adapter
     from clers.oracle.runs.reports.asked import AskedFor
@@ -72,7 +72,7 @@ def check(
     names = (tuple(given or ()) for given in (profile, op, clause, only))
     selected = _selected(suite, Selection(*names))
     known = None if baseline is None else _known(baseline)
-    place = _place(workers, scheduler)
+    place = place_of(workers, scheduler)
     bounds = Bounds(start=start, request=seconds, memory=memory << 20, restarts=restarts)
     asked = _met(command, bounds, strict=strict_reasons, as_json=as_json)
     plan = Plan(asked, place, Expected(known.known if known else ()).of, max_failures)
@@ -119,18 +119,6 @@ def _known(path: Path) -> "Baseline":
     if isinstance(found, Rejected):
         raise typer.BadParameter(f"{path}: {found.line()}", param_hint="--baseline")
     return found.value
-
-
-def _place(workers: int, scheduler: str) -> "Place":
-    """Clause: ORCL-POOL-3."""
-    from clers.oracle.pool.place import Cluster, Local
-    from clers.oracle.pool.spread import obstacle
-
-    place = Cluster(scheduler) if scheduler else Local(workers)
-    why = obstacle(place)
-    if why:
-        raise typer.BadParameter(why, param_hint="--scheduler")
-    return place
 
 
 def _met(command: list[str], bounds: "Bounds", *, strict: bool, as_json: bool) -> "Adapter":
