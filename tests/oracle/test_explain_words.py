@@ -208,6 +208,30 @@ def test_bits_that_nothing_is_known_of_have_no_table() -> None:
     assert explanation(case_of(message.CodeEncode(id=0, input=given)), {}, {}).tables == ()
 
 
+def test_the_bits_of_a_word_with_handles_that_is_read() -> None:
+    """Clauses: ORCL-EXPLAIN-2, CODE-HAND-3: a torus; the groups need its records."""
+    given = form.FromWord(
+        code="adaptive-1",
+        bits=form.BitString(hex="", length=0),
+        symbols=17,
+        components_with_boundary=0,
+        closings=(
+            form.ClosingForm(passed=0, kind="handle", side="right", between=0),
+            form.ClosingForm(passed=0, kind="handle", side="right", between=0),
+        ),
+    )
+    case = msgspec.structs.replace(
+        case_of(SAMPLES["code.decode"]),
+        input=msgspec.Raw(msgspec.json.encode(given)),
+        ok=msgspec.Raw(b'{"word":"CCCCRCSCRSSRLSEEE"}'),
+    )
+    (table,) = explanation(case, {}, {}).tables
+    assert [row[1] for row in table.rows] == [*"CCCRCSCRSSRLSEEE", "the end"]
+    many = msgspec.structs.replace(given, closings=given.closings * 3)
+    case = msgspec.structs.replace(case, input=msgspec.Raw(msgspec.json.encode(many)))
+    assert explanation(case, {}, {}).tables == ()
+
+
 def test_a_walk_with_records() -> None:
     """Clause: ORCL-EXPLAIN-2: an annulus, whose S reaches the other curve."""
     faces: list[tuple[int, int, int]] = []
