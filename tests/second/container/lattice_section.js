@@ -14,8 +14,8 @@ const LARGEST = 2n ** 53n;
 /** Numbers and bits, which can be read before the surface is known (FILE-PARSE-1). */
 function readLattice(reader) {
   const exponent = reader.signed(12);
-  const lows = reader.times(3, () => reader.bigSigned(54));
-  const extents = reader.times(3, () => reader.varint(30));
+  const lows = AXES.map(() => reader.bigSigned(54));
+  const extents = AXES.map(() => reader.varint(30));
   const bits = reader.bits();
   reader.end();
   return { exponent, lows, extents, bits };
