@@ -262,13 +262,13 @@ def test_a_fault_is_shown_at_its_parent() -> None:
     )
     image = _drawn(picture(bad, parent=parent))
     assert "0-step-3" in {group.name for group in image.groups}
-    assert "to blame: symbol 1" in _words(image)
+    assert "the parent; to blame: symbol 1" in _words(image)
     got = Divergence(kind="k", place="p", expected="invalid", got="malformed")
     image = _drawn(picture(bad, got, parent=parent))
     assert "0-step-3" in {group.name for group in image.groups}
     assert "expected invalid, got malformed" in _words(image)
     whole = replace(bad, reject=Rejection(Fault.LIMIT))
-    assert "to blame: the whole input" in _words(_drawn(picture(whole, parent=parent)))
+    assert "the parent; to blame: the whole input" in _words(_drawn(picture(whole, parent=parent)))
     assert isinstance(picture(bad), Rejected)
     assert isinstance(picture(bad, got), Rejected)
 
@@ -313,7 +313,7 @@ def test_headings() -> None:
     """Clause: ORCL-EXPLAIN-5."""
     long = _at(vertex=1)
     assert headed(long) == "expected e, got g"
-    assert headed(replace(long, expected="", place="here")) == "to blame: here"
+    assert headed(replace(long, expected="", place="here")) == "the parent; to blame: here"
     assert cut("x" * WIDE) == "x" * WIDE
     assert cut("x" * (WIDE + 1)) == "x" * (WIDE - 1) + "…"
 
