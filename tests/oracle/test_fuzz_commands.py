@@ -7,25 +7,30 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Final
 
 import msgspec
 import pytest
 from planted_faults import FAULTS, SAID, planted
+from small_suite import CODED, small_suite
 from typer.testing import CliRunner, Result
 
 from clers.cli.main import app
 from clers.cli.output import Exit
-from clers.conformance.outcome import Answered, Outcome, TimedOut
+from clers.conformance.outcome import Answered, NoProcess, Outcome, TimedOut
 from clers.conformance.session import Asked
 from clers.conventions.result import Accepted, Rejected
 from clers.oracle.finding import Finding, read, write
+from clers.oracle.fuzz import campaign
+from clers.oracle.fuzz.campaign import News, Plan, Wrote
 from clers.oracle.fuzz.checks import asker
 from clers.oracle.fuzz.replay import Came
 from clers.oracle.fuzz.replay import replay as ask_again
-from clers.oracle.suite.files import DEFAULT, read_suite
+from clers.oracle.pool.place import Cluster, Local, Lost, Place
 
+Item = tuple[Plan, str, int]
 HERE: Final = Path(__file__).parent
 ROOT: Final = HERE.parents[1]
 
@@ -58,7 +63,7 @@ def fuzzed(folder: Path, adapter: str, *options: str) -> Result:
 
 def test_a_crash_is_found_shrunk_replayed_and_mended(tmp_path: Path) -> None:
     """ORCL-FUZZ-4, ORCL-FUZZ-6, ORCL-REPLAY-1, ORCL-REPLAY-2, ORCL-FIND-1."""
-    done = fuzzed(tmp_path, coder("crashes-at-s"), "--examples", "20")
+    done = fuzzed(tmp_path, coder("crashes-at-s"), "--examples", "8")
     assert done.exit_code == Exit.NOT_CONFORMING
     path, found = only_finding(tmp_path)
     assert found.judged.signature == "code.encode crash exit"
@@ -160,17 +165,17 @@ def test_an_interrupt_keeps_what_was_found(tmp_path: Path) -> None:
 
 def test_a_vector_and_a_mesh_are_shrunk(tmp_path: Path) -> None:
     """ORCL-SHRINK-6."""
-    suite = read_suite(DEFAULT)
-    assert isinstance(suite, Accepted)
-    large = next(
-        case for case in suite.value.cases
-        if case.op == "word.encode" and "handles" in case.requires and case.size > 14
+    suite = tmp_path / "suite"
+    (vector,) = CODED
+    small_suite(suite)
+    done = clers(
+        "shrink", vector.id, "--vectors", str(suite),
+        "-a", coder("forgets-a-bit"), "-o", str(tmp_path / "of-vector"), "--json",
     )  # fmt: skip
-    options = ("-a", faulty("mirrors-handles"), "-o", str(tmp_path), "--json")
-    done = clers("shrink", large.id, *options)
     assert done.exit_code == Exit.NOT_CONFORMING
     found = json.loads(done.stdout)["finding"]
-    assert (found["shrunk"]["before"], found["shrunk"]["after"]) == (large.size, 8)
+    assert (found["shrunk"]["before"], found["shrunk"]["after"]) == (3, 1)
+    options = ("-a", faulty("mirrors-handles"), "-o", str(tmp_path), "--json")
     mesh = ROOT / "corpus" / "meshes" / "eight.off"
     plain = clers("shrink", str(mesh), "--op", "word.encode", *options[:-1])
     assert plain.exit_code == Exit.NOT_CONFORMING
@@ -192,7 +197,10 @@ def test_nothing_to_shrink(tmp_path: Path) -> None:
     said = clers("shrink", mesh, "--op", "word.encode", *options, "--json")
     assert json.loads(said.stdout) == {"file": None, "finding": None}
     assert clers("shrink", mesh, *options).exit_code == Exit.USAGE
-    assert clers("shrink", "no-such-vector-aaaaaaaa", *options).exit_code == Exit.USAGE
+    small_suite(tmp_path / "suite")
+    there = ("--vectors", str(tmp_path / "suite"))
+    none = clers("shrink", "no-such-vector-aaaaaaaa", *options, *there)
+    assert none.exit_code == Exit.USAGE
     nobody = clers("shrink", mesh, "--op", "word.encode", "-a", "/no/such", "-o", str(tmp_path))
     assert nobody.exit_code == Exit.ADAPTER
     bad = tmp_path / "bad.json"
@@ -265,3 +273,30 @@ def test_a_law_is_judged_again(finding: Finding) -> None:
 def test_where_nothing_can_be_written_it_is_said(finding: Finding, tmp_path: Path) -> None:
     """TOOL-WRITE-4, ORCL-FIND-2."""
     assert isinstance(write(tmp_path / "nowhere" / "else", finding), Rejected)
+
+
+def test_what_a_cluster_finds_is_written_here(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """ORCL-FUZZ-8: each family by itself; and what is lost is said."""
+    places: list[Place] = []
+
+    def elsewhere(
+        task: Callable[[Item], Iterable[News | NoProcess]], items: Iterable[Item], place: Place
+    ) -> Iterator[News | NoProcess | Lost]:
+        places.append(place)
+        for item in items:
+            told = tuple(task(item))
+            assert list(tmp_path.iterdir()) == []
+            yield from told
+        yield Lost("its worker ended")
+
+    monkeypatch.setattr(campaign, "spread", elsewhere)
+    command = tuple(shlex.split(coder("forgets-a-bit")))
+    plan = Plan(command, tmp_path, examples=2, workers=3, scheduler="tcp://there:1")
+    news = list(campaign.fuzz(plan, ("code.encode",)))
+    assert places == [Cluster("tcp://there:1")]
+    assert news[-1] == NoProcess("its worker ended")
+    wrote = [each for each in news if isinstance(each, Wrote)]
+    assert wrote[-1].path == only_finding(tmp_path)[0]
+    assert campaign.place_of(Plan(command, tmp_path, workers=3)) == Local(3)

@@ -40,13 +40,15 @@ def fuzz(
     against: Against = "",
     out: Annotated[Path, typer.Option("-o", "--out", help="Where findings go.")] = Path(),
     workers: Annotated[int, typer.Option(min=1, help="Processes that ask.")] = 1,
+    scheduler: Annotated[str, typer.Option(help="The address of a Dask scheduler.")] = "",
     seconds: Seconds = 5.0,
     as_json: AsJson = False,
 ) -> None:
     """Send random requests to an adapter, and shrink what fails. Clauses: ORCL-FUZZ-1 … -6."""
     from clers.cli.fuzz_run import carry_out
     from clers.conformance.results import RESULTS
-    from clers.oracle.fuzz.campaign import Plan
+    from clers.oracle.fuzz.campaign import Plan, place_of
+    from clers.oracle.pool.spread import obstacle
 
     for name in op or []:
         if name not in RESULTS:
@@ -64,8 +66,12 @@ def fuzz(
         examples,
         max_time,
         workers,
+        scheduler,
         _bounds(seconds),
     )
+    why = obstacle(place_of(plan))
+    if why:
+        raise typer.BadParameter(why, param_hint="--scheduler")
     carry_out(plan, adapter, against, as_json=as_json)
 
 

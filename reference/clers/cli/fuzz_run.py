@@ -1,10 +1,13 @@
 """A run of `clers fuzz`: carried out, shown as it goes, summed up. Clauses: ORCL-FUZZ-4, -6."""
 
+import signal
 from collections import Counter
-from contextlib import closing
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import monotonic
+from types import FrameType
 
 from msgspec import UnsetType
 
@@ -24,7 +27,7 @@ class Tally:
     drawn: Counter[str] = field(default_factory=Counter)
     asked: Counter[str] = field(default_factory=Counter)
     broken: dict[str, str] = field(default_factory=dict)
-    found: dict[str, tuple[str, Finding, Path | Rejected]] = field(default_factory=dict)
+    found: dict[str, tuple[str, Finding, Path | Rejected | None]] = field(default_factory=dict)
     gone: NoProcess | None = None
 
     def take(self, news: Wrote | Did | NoProcess) -> None:
@@ -67,15 +70,37 @@ def carry_out(plan: Plan, adapter: str, against: str, *, as_json: bool) -> None:
     stop(Exit.CONFORMING if tally.gone is None else Exit.ADAPTER)
 
 
+@contextmanager
+def _interrupts() -> Iterator[list[int]]:
+    """The interrupts so far: one that comes while garbage is collected raises nothing."""
+    told: list[int] = []
+
+    def note_it(number: int, frame: FrameType | None) -> None:
+        told.append(number)
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGINT, note_it)
+    try:
+        yield told
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
 def _go_on(plan: Plan, tally: Tally) -> bool:
     """Until the end, or an interrupt: then false. Clause: ORCL-FUZZ-4."""
     rounds = len(tally.families) * max((plan.examples or EXAMPLES) // 50, 1)
     total = rounds if plan.seconds is None else int(plan.seconds)
     begun, shown = monotonic(), 0
-    with progress("fuzz", total) as step, closing(fuzz(plan, tally.families)) as news:
+    with (
+        _interrupts() as told,
+        progress("fuzz", total) as step,
+        closing(fuzz(plan, tally.families)) as news,
+    ):
         try:
             for event in news:
                 tally.take(event)
+                if told:
+                    return False
                 name = "" if isinstance(event, NoProcess) else tally.line(event.family)
                 if plan.seconds is None:
                     step(name)
@@ -84,6 +109,10 @@ def _go_on(plan: Plan, tally: Tally) -> bool:
                     shown += 1
         except KeyboardInterrupt:
             return False
+        except Exception:
+            if told:  # what an interrupt broke off in the middle of something
+                return False
+            raise
     return True
 
 
@@ -112,7 +141,7 @@ def _state(tally: Tally, name: str) -> str:
     return "; ".join(said)
 
 
-def block(found: Finding, path: Path | Rejected, adapter: str, against: str) -> list[str]:
+def block(found: Finding, path: Path | Rejected | None, adapter: str, against: str) -> list[str]:
     """A finding in a few lines: what, where, how small, and how to see it again. ORCL-FIND-1."""
     judged, shrunk, second = found.judged, found.shrunk, found.against
     name = path.line() if isinstance(path, Rejected) else str(path)

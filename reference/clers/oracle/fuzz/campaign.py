@@ -18,9 +18,10 @@ from clers.conventions.result import Rejected
 from clers.oracle.finding import Finding, Party, write
 from clers.oracle.fuzz.checks import Asker, asker
 from clers.oracle.fuzz.families import Family, families, opposed
-from clers.oracle.fuzz.found import finding, party, shrunk_from
+from clers.oracle.fuzz.found import finding as finding_of
+from clers.oracle.fuzz.found import party, shrunk_from
 from clers.oracle.fuzz.hunt import Event, First, Round, Small, hunt
-from clers.oracle.pool.place import Local, Lost
+from clers.oracle.pool.place import Cluster, Local, Lost, Place
 from clers.oracle.pool.spread import spread
 
 EXAMPLES: Final = 300
@@ -33,7 +34,10 @@ RESTARTS: Final = 1 << 20
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What a campaign is to do. `examples` are for each operation, `seconds` for all together."""
+    """What a campaign is to do. `examples` are for each operation, `seconds` for all together.
+
+    `scheduler` is the address of a Dask scheduler, `workers` how many it has, or this machine.
+    """
 
     command: tuple[str, ...]
     folder: Path
@@ -43,16 +47,17 @@ class Plan:
     examples: int | None = None
     seconds: float | None = None
     workers: int = 1
+    scheduler: str = ""
     bounds: Bounds = DEFAULT_BOUNDS
 
 
 @dataclass(frozen=True, slots=True)
 class Wrote:
-    """A finding is in its file. Clause: ORCL-FUZZ-4."""
+    """A finding is in its file, or none if the machine that found it has not the folder."""
 
     family: str
     finding: Finding
-    path: Path | Rejected
+    path: Path | Rejected | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +109,7 @@ def fuzz(plan: Plan, known: tuple[str, ...]) -> Generator[News | NoProcess, None
 
     `known` are the plan's families. Clauses: ORCL-FUZZ-3, ORCL-FUZZ-4.
     """
-    if plan.workers <= 1:
+    if plan.workers <= 1 and not plan.scheduler:
         until = inf if plan.seconds is None else monotonic() + plan.seconds
         with ExitStack() as stack:
             met = meet(plan, stack)
@@ -114,12 +119,23 @@ def fuzz(plan: Plan, known: tuple[str, ...]) -> Generator[News | NoProcess, None
             yield from _in_turn(plan, met, met.families, until)
         return
     items = [(plan, name, len(known)) for name in known]
-    for found in spread(one_family, items, Local(plan.workers)):
-        yield NoProcess(found.why) if isinstance(found, Lost) else found
+    for found in spread(one_family, items, place_of(plan)):
+        match found:
+            case Lost(why):
+                yield NoProcess(why)
+            case Wrote(name, finding, None):
+                yield Wrote(name, finding, _written(plan, finding))
+            case _:
+                yield found
+
+
+def place_of(plan: Plan) -> Place:
+    """Where the families are hunted. Clauses: ORCL-FUZZ-8, ORCL-POOL-1, ORCL-POOL-3."""
+    return Cluster(plan.scheduler) if plan.scheduler else Local(plan.workers)
 
 
 def one_family(item: tuple[Plan, str, int]) -> Iterator[News | NoProcess]:
-    """One family from its beginning to its end, with its part of the time. For a worker."""
+    """One family from its first example to its last, with its part of the time. ORCL-FUZZ-8."""
     plan, name, count = item
     until = inf
     if plan.seconds is not None:
@@ -159,11 +175,15 @@ def _news(plan: Plan, met: Met, name: str, event: Event) -> News:
         case Round():
             return Did(name, event)
         case First(_, tried):
-            found = finding(tried, met.first, met.second)
+            found = finding_of(tried, met.first, met.second)
         case Small(first, least):
             shrunk = shrunk_from(first, least)
-            found = finding(least.tried, met.first, met.second, shrunk)
+            found = finding_of(least.tried, met.first, met.second, shrunk)
         case _:
             assert_never(event)
+    return Wrote(name, found, None if plan.scheduler else _written(plan, found))
+
+
+def _written(plan: Plan, found: Finding) -> Path | Rejected:
     written = write(plan.folder, found)
-    return Wrote(name, found, written if isinstance(written, Rejected) else written.value)
+    return written if isinstance(written, Rejected) else written.value
