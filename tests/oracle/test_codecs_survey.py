@@ -412,11 +412,12 @@ def test_command(tmp_path: Path) -> None:
     assert f"    {command}\n" in out.read_text(encoding="utf-8")
 
 
-def test_command_as_json() -> None:
+def test_command_as_json(monkeypatch: pytest.MonkeyPatch) -> None:
     """ORCL-CODEC-14, TOOL-OUTPUT-1."""
+    monkeypatch.setattr("clers.oracle.codecs.settings.SETTINGS", SETTINGS[2:3])
     ran = run(str(MESHES / "dirty" / "isolated-vertex.obj"), "--no-made", "--json")
     found = json.loads(ran.stdout)
-    assert found["settings"] == [setting.name for setting in SETTINGS]
+    assert found["settings"] == ["draco-valence"]
     assert [row["mesh"] for row in found["rows"]] == ["isolated-vertex.obj"]
     assert found["shown"][0]["finding"] == "lost-isolated-vertices"
 
