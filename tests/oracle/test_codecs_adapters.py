@@ -19,8 +19,10 @@ from clers.cli.output import Exit
 from clers.conformance import messages as message
 from clers.conformance import payloads as form
 from clers.conformance.adapter import answered
+from clers.conformance.cases.case import Case
 from clers.conformance.doctor import examine
 from clers.conformance.judging.meshes import Differs, Same, compare
+from clers.conformance.judging.needs import declared, needs
 from clers.conformance.lines import line_of
 from clers.conformance.messages import Failure, Lacking, Rejection, Reply
 from clers.conformance.outcome import NoProcess
@@ -33,7 +35,7 @@ from clers.oracle.codecs.codec import Answer, Codec, Missing
 from clers.oracle.codecs.draco import draco, promise
 from clers.oracle.codecs.files import files
 from clers.oracle.codecs.meshopt import meshoptimizer
-from clers.oracle.codecs.serving import serve
+from clers.oracle.codecs.serving import introduction, serve
 
 CORNERS: Final = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 SOLID: Final = ((0, 1, 2), (3, 2, 1), (0, 3, 1), (2, 3, 0))
@@ -491,6 +493,31 @@ def test_adapter_of_a_codec() -> None:
     assert isinstance(back, message.OkReply)
     assert back.id == 7
     assert serve(codec, message.Bye()) == ()
+
+
+def test_precisions_are_declared() -> None:
+    """ORCL-CODEC-16: Draco keeps binary32 alone, so that cases in binary64 are skipped."""
+    said: dict[str, message.Introduction] = {}
+    for codec in (STANDARD, meshoptimizer("sequence"), files(COPY, COPY, Format.PLY)):
+        said[served(codec).name] = introduction(served(codec))
+    assert {name: each.caps.positions for name, each in said.items()} == {
+        "draco": ("f32",), "meshoptimizer": ("f32", "f64"), "cp": ("f32", "f64"),
+    }  # fmt: skip
+    for given, lacking in ((mesh(), None), (mesh(f64=True), "positions.f64"), (BARE, None)):
+        case = Case(
+            id="x-aaaaaaaa", op="codec.roundtrip", clauses=(), origin="hand",
+            input=msgspec.Raw(msgspec.json.encode(given)),
+        )  # fmt: skip
+        assert needs(case, said["draco"]) == lacking
+        assert needs(case, said["meshoptimizer"]) is None
+        word = msgspec.structs.replace(case, op="echo")
+        assert needs(word, said["draco"]) is None
+    assert declared("positions.f32", said["draco"].caps)
+    old = msgspec.json.decode(
+        b'{"handles":true,"boundaries":"many","components":true,"max_faces":1,"max_symbols":1}',
+        type=message.Caps,
+    )
+    assert old.positions == ("f32", "f64")
 
 
 def test_every_answer_of_a_codec_has_its_reply() -> None:

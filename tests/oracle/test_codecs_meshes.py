@@ -337,6 +337,53 @@ def test_without_places() -> None:
     ]
 
 
+def test_vertices_left_are_paired_by_number() -> None:
+    """ORCL-CODEC-6: without places, whatever their names are."""
+    sent = bare(*SOLID, (4, 5, 6), vertices=7)
+    came = bare(*((a + 3, b + 3, c + 3) for a, b, c in SOLID), vertices=7)
+    assert only(compare(sent, came)) == Difference(
+        Kind.COMPONENTS_LOST, 1, Of.SENT, AtFace(4), "face (4, 5, 6)"
+    )
+
+
+def test_with_places_no_mesh_is_a_stranger() -> None:
+    """ORCL-CODEC-6: what is nowhere near is lost, and something else was added."""
+    far = ((50.0, 0.0, 0.0), (51.0, 0.0, 0.0), (50.0, 1.0, 0.0))
+    found = compare(placed(SOLID, *CORNERS), placed(((0, 1, 2),), *far))
+    assert kinds(found) == [
+        ("components-lost", 1),
+        ("faces-added", 1),
+        ("vertices-lost", 4),
+        ("vertices-added", 3),
+    ]
+
+
+def test_one_vertex_for_two() -> None:
+    """ORCL-CODEC-6: of two vertices with faces on one edge, one has become the only one left."""
+    edge = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+    sent = placed(((0, 1, 2), (0, 1, 3)), *edge, (0.0, 5.0, 0.0), (0.0, 6.0, 0.0))
+    came = placed(((0, 1, 2),), *edge, (0.0, 7.0, 0.0))
+    assert kinds(compare(sent, came)) == [
+        ("faces-lost", 1),
+        ("vertices-lost", 1),
+        ("position-moved", 1),
+    ]
+    found = compare(came, sent)
+    assert kinds(found) == [
+        ("faces-added", 1),
+        ("vertices-added", 1),
+        ("position-moved", 1),
+    ]
+
+
+def test_move_across_zero() -> None:
+    """ORCL-CODEC-7: by the difference, whatever the signs."""
+    sent = placed(SOLID, (-1.0, 4.0, 0.0), *CORNERS[1:])
+    came = placed(SOLID, (2.0, 3.0, 0.0), *CORNERS[1:])
+    found = only(compare(sent, came))
+    assert (found.kind, found.by, found.axis) == (Kind.MOVED, 3.0, "x")
+
+
 def test_strangers_are_counted() -> None:
     """ORCL-CODEC-6: no component of one is like one of the other."""
     solid = bare(*SOLID, vertices=4)

@@ -125,6 +125,19 @@ def _corners(mesh: form.MeshForm) -> list[int]:
     return [int(v) for face in mesh.faces for v in face]
 
 
+def test_vertices_without_faces_go_at_once() -> None:
+    """ORCL-CODEC-14: all of them with one question, if they all can."""
+    asked: list[int] = []
+
+    def shows(mesh: form.MeshForm) -> bool:
+        asked.append(int(mesh.vertices))
+        return len(mesh.faces) == 1 and len(set(_corners(mesh))) == 3
+
+    assert int(smallest(placed(((0, 1, 2),), on_curve(500)), shows).vertices) == 3
+    assert asked[:3] == [500, 3, 2]
+    assert len(asked) < 12
+
+
 def test_smallest_keeps_places_together() -> None:
     """ORCL-CODEC-14: places become simple, equal ones still equal; names go by the faces."""
 
@@ -366,6 +379,7 @@ def test_page_of_a_small_survey() -> None:
     assert "through meshopt-x\n  crash: exit code 3\n```\n" in text
     assert "\n| empty | 2, the first second | good |\n" in text
     assert "\n| a.off | torn |\n" in text
+    assert "| crash: exit code 3 |" not in text
     assert "Not installed" not in text
 
 
@@ -398,11 +412,12 @@ def test_command(tmp_path: Path) -> None:
     assert f"    {command}\n" in out.read_text(encoding="utf-8")
 
 
-def test_command_as_json() -> None:
+def test_command_as_json(monkeypatch: pytest.MonkeyPatch) -> None:
     """ORCL-CODEC-14, TOOL-OUTPUT-1."""
+    monkeypatch.setattr("clers.oracle.codecs.settings.SETTINGS", SETTINGS[2:3])
     ran = run(str(MESHES / "dirty" / "isolated-vertex.obj"), "--no-made", "--json")
     found = json.loads(ran.stdout)
-    assert found["settings"] == [setting.name for setting in SETTINGS]
+    assert found["settings"] == ["draco-valence"]
     assert [row["mesh"] for row in found["rows"]] == ["isolated-vertex.obj"]
     assert found["shown"][0]["finding"] == "lost-isolated-vertices"
 

@@ -6,6 +6,8 @@ import msgspec
 import pytest
 from judged_by_hand import case_of, divergence_of, right_of
 
+from clers.codes import registry
+from clers.codes.closings import closings
 from clers.complexes.corner_table import surface
 from clers.conformance import messages as message
 from clers.conformance import payloads as form
@@ -15,7 +17,7 @@ from clers.conformance.messages import Operation, Rejection
 from clers.conformance.outcome import Answered, Declined
 from clers.conformance.results import Result
 from clers.conformance.samples import FACES, GARBAGE, SAMPLES
-from clers.conformance.served.forms import faces_form
+from clers.conformance.served.forms import bits_form, faces_form
 from clers.conventions.reason import Fault, Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.edgebreaker.encode import encode
@@ -74,6 +76,38 @@ def test_what_a_case_is_about(op: str, faces: int) -> None:
     assert found.mesh.surface.faces == faces
     assert found.encoding == encode(found.mesh.surface)
     assert (found.mesh.positions is not None) == (op == "codec.roundtrip")
+
+
+def test_a_word_that_is_read_with_its_handle_data() -> None:
+    """Clauses: ORCL-EXPLAIN-5, CODE-HAND-3: the torus, whose records are seen from the end."""
+    surface_ = _subject(message.WordEncode(id=0, input=TORUS))
+    stream = surface_.encoding.stream
+    seen, bits = closings(stream), registry.encode(registry.CodeName.PLAIN, stream)
+    assert isinstance(seen, Accepted)
+    assert isinstance(bits, Accepted)
+    request = message.CodeDecode(
+        id=0,
+        input=form.FromWord(
+            code="plain",
+            bits=bits_form(bits.value),
+            symbols=len(stream.word),
+            components_with_boundary=0,
+            closings=tuple(
+                form.ClosingForm(
+                    passed=c.passed,
+                    kind="handle",
+                    side="right" if c.side == "right" else "left",
+                    between=c.between,
+                )
+                for c in seen.value
+            ),
+        ),
+    )
+    found = _subject(request)
+    assert found.encoding.stream == stream
+    got = got_by(request, form.JustWord(word=stream.word))
+    assert isinstance(got, Accepted)
+    assert got.value == found
 
 
 def test_the_stage_that_diverges_of_a_script() -> None:
@@ -228,13 +262,13 @@ def test_a_fault_is_shown_at_its_parent() -> None:
     )
     image = _drawn(picture(bad, parent=parent))
     assert "0-step-3" in {group.name for group in image.groups}
-    assert "to blame: symbol 1" in _words(image)
+    assert "the parent; to blame: symbol 1" in _words(image)
     got = Divergence(kind="k", place="p", expected="invalid", got="malformed")
     image = _drawn(picture(bad, got, parent=parent))
     assert "0-step-3" in {group.name for group in image.groups}
     assert "expected invalid, got malformed" in _words(image)
     whole = replace(bad, reject=Rejection(Fault.LIMIT))
-    assert "to blame: the whole input" in _words(_drawn(picture(whole, parent=parent)))
+    assert "the parent; to blame: the whole input" in _words(_drawn(picture(whole, parent=parent)))
     assert isinstance(picture(bad), Rejected)
     assert isinstance(picture(bad, got), Rejected)
 
@@ -279,7 +313,7 @@ def test_headings() -> None:
     """Clause: ORCL-EXPLAIN-5."""
     long = _at(vertex=1)
     assert headed(long) == "expected e, got g"
-    assert headed(replace(long, expected="", place="here")) == "to blame: here"
+    assert headed(replace(long, expected="", place="here")) == "the parent; to blame: here"
     assert cut("x" * WIDE) == "x" * WIDE
     assert cut("x" * (WIDE + 1)) == "x" * (WIDE - 1) + "…"
 

@@ -143,7 +143,7 @@ THE_BITS = Table(title="the bits", heads=BITS, rows=(("1", "R", "101"), ("2", "E
 THE_CODE = Table(
     title="the bits",
     heads=BITS,
-    rows=(("0", "1", "–"), ("1", "0", "010"), ("2", "2", "11"), ("", "end", "01")),
+    rows=(("0", "1", "–"), ("1", "0", "010"), ("2", "2", "11"), ("", "the end", "01")),
 )
 
 
@@ -198,14 +198,38 @@ def test_the_way_to_the_answer(op: str, tables: tuple[Table, ...]) -> None:
 def test_the_bits_of_a_message(op: str) -> None:
     """Clause: ORCL-EXPLAIN-2: together they are all bits, in order, one group a symbol."""
     (table,) = explanation(case_of(SAMPLES[op]), {}, {}).tables
-    assert [row[:2] for row in table.rows] == [("0", "1"), ("1", "0"), ("2", "2"), ("", "end")]
+    assert [row[:2] for row in table.rows] == [("0", "1"), ("1", "0"), ("2", "2"), ("", "the end")]
     assert "".join(row[2].replace("–", "") for row in table.rows) == "0101101"
 
 
 def test_bits_that_nothing_is_known_of_have_no_table() -> None:
     """Clause: ORCL-EXPLAIN-2."""
-    given = form.ToWord(code="huffman", word="CRE", handles=(), components_with_boundary=0)
+    given = form.ToWord(code="king-rossignac", word="CRE", handles=(), components_with_boundary=0)
     assert explanation(case_of(message.CodeEncode(id=0, input=given)), {}, {}).tables == ()
+
+
+def test_the_bits_of_a_word_with_handles_that_is_read() -> None:
+    """Clauses: ORCL-EXPLAIN-2, CODE-HAND-3: a torus; the groups need its records."""
+    given = form.FromWord(
+        code="adaptive-1",
+        bits=form.BitString(hex="", length=0),
+        symbols=17,
+        components_with_boundary=0,
+        closings=(
+            form.ClosingForm(passed=0, kind="handle", side="right", between=0),
+            form.ClosingForm(passed=0, kind="handle", side="right", between=0),
+        ),
+    )
+    case = msgspec.structs.replace(
+        case_of(SAMPLES["code.decode"]),
+        input=msgspec.Raw(msgspec.json.encode(given)),
+        ok=msgspec.Raw(b'{"word":"CCCCRCSCRSSRLSEEE"}'),
+    )
+    (table,) = explanation(case, {}, {}).tables
+    assert [row[1] for row in table.rows] == [*"CCCRCSCRSSRLSEEE", "the end"]
+    many = msgspec.structs.replace(given, closings=given.closings * 3)
+    case = msgspec.structs.replace(case, input=msgspec.Raw(msgspec.json.encode(many)))
+    assert explanation(case, {}, {}).tables == ()
 
 
 def test_a_walk_with_records() -> None:

@@ -79,6 +79,11 @@ def _placed(*coordinates: float) -> form.MeshForm:
             "face", "face 0, made by P", "(0, 1, 2)", "(1, 2, 0)", {"face": 0},
         ),
         (
+            "word.decode", replace(MESH, faces=(FACES[0], (2, 1, 3), *FACES[2:])),
+            "face", "face 1, made by symbol 0 (C)", "(3, 2, 1)", "(2, 1, 3)",
+            {"symbol": 0, "face": 1},
+        ),
+        (
             "word.decode", replace(MESH, faces=(*FACES[:2], (0, 1, 3), FACES[3])),
             "face", "face 2, made by symbol 1 (R)", "(0, 3, 1)", "(0, 1, 3)",
             {"symbol": 1, "face": 2},
@@ -273,6 +278,8 @@ def test_a_file_that_is_too_short_or_too_long() -> None:
         ({"a": [1]}, {"a": [1, 1]}, "the value at /a", "[1]", "[1, 1]"),
         ({"a": {}}, {"b": {}}, "the whole value", "['a']", "['b']"),
         ({"a": {"x": 1}}, {"a": []}, "the value at /a", "{'x': 1}", "[]"),
+        ({"a": []}, {"a": {}}, "the value at /a", "[]", "{}"),
+        ({"a": {}}, {"a": []}, "the value at /a", "{}", "[]"),
         ({"a": 1, "b": 2}, {"b": 3, "a": 4}, "the value at /a", "1", "4"),
         ({"a": [[1], [2]]}, {"a": [[3], [4]]}, "the value at /a/0/0", "1", "3"),
     ],

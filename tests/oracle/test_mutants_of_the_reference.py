@@ -1,7 +1,13 @@
 """Mistakes in the reference, and a small suite that notices some of them."""
 
+import os
 import re
+import signal
+import subprocess
+import sys
+import time
 from collections.abc import Sequence
+from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -29,6 +35,9 @@ from clers.oracle.mutants.mutant import Mutant, changed
 from clers.oracle.mutants.reached import Reached, reached
 from clers.oracle.mutants.report import Report, report, row
 from clers.oracle.mutants.trial import Fate, Tried, tried
+from clers.oracle.negatives.from_mutants import drafts
+from clers.oracle.positives.asked import answered
+from clers.oracle.positives.from_mutants import from_mutants
 from clers.oracle.suite.files import read_suite
 from clers.oracle.suite.records import Part, Score, Survivor
 from clers.oracle.suite.rendered import suite_files
@@ -166,6 +175,25 @@ def test_a_mistake_is_seen_where_it_matters(name: str, killer: Case | None) -> N
         assert (found.fate, found.by, found.status) == (Fate.KILLED, killer.id, "fail")
         assert found.asked == CASES.index(killer) + 1
         assert "expected" in found.why
+
+
+ASKED_FOR = (*(draft.case for draft in drafts()), *map(answered, from_mutants()))
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("degenerate-face-accepted", "tetrahedron-and-triangle-triangle-folded"),
+        ("lower-half-too-wide", "arithmetic-ends-just-over-half"),
+        ("bridge-onto-edge", "bridge-onto-edge"),
+        ("link-condition-forgotten", "circle-of-three-edges-contracted"),
+    ],
+)
+def test_a_mistake_asks_for_a_case(name: str, words: str) -> None:
+    """And among the cases so asked for it is seen there first. Clause: ORCL-MUTANT-8."""
+    found = tried([name], ASKED_FOR)
+    assert found.fate is Fate.KILLED
+    assert re.fullmatch(rf"{words}-[a-z2-7]{{8}}", found.by), found.by
 
 
 def test_without_a_name_there_is_no_mistake() -> None:
@@ -349,3 +377,36 @@ def test_the_command_draws_by_a_seed(tmp_path: Path) -> None:
     assert (said["seed"], len(said["tried"])) == (3, 2)
     (folder / "flags.json").write_text("{}")
     assert isinstance(reached(folder), str), "the suite is not good"
+
+
+def adapters_with(mark: str) -> list[int]:
+    """The adapters of mutants that run with a mark in their environment."""
+    found: list[int] = []
+    for place in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            marked = mark.encode() in (place / "environ").read_bytes()
+            if marked and b"clers.oracle.mutants.adapter" in (place / "cmdline").read_bytes():
+                found.append(int(place.name))
+    return found
+
+
+def test_an_interrupted_campaign(small: Path) -> None:
+    """What is known is printed, and nobody is left. Clauses: ORCL-MUTANT-5, ORCL-RUN-9."""
+    mark = f"CLERS_TEST_MARK={small}"
+    main = "from clers.cli.main import main; main()"
+    command = (sys.executable, "-c", main, "mutants", "--vectors", str(small))
+    environment = {**os.environ, "CLERS_TEST_MARK": str(small)}
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment
+    ) as campaign:
+        deadline = time.monotonic() + 60
+        while not adapters_with(mark):
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+        campaign.send_signal(signal.SIGINT)
+        out, errors = campaign.communicate(timeout=60)
+    assert campaign.returncode == 130, errors
+    assert f"of {len(MUTANTS)} mutants" not in out.decode()
+    assert re.search("interrupted: [0-9]+ mutants were not tried\n$", out.decode())
+    assert errors == b"clers: interrupted\n"
+    assert adapters_with(mark) == []

@@ -70,6 +70,7 @@ SPOKEN_OF = (
     "OPER-SIMPLEX-5", "OPER-CURVE-1", "OPER-CURVE-4", "OPER-CURVE-5", "OPER-SOLID-1",
     "OPER-SOLID-2", "OPER-COLLAPSE-1", "OPER-COLLAPSE-3", "OPER-STELLAR-1", "OPER-STELLAR-2",
     "OPER-BISTELLAR-1", "OPER-CONTRACT-1", "OPER-CONTRACT-4",
+    "OPER-CONTRACT-5",
 )  # fmt: skip
 """The clauses by which an operation rejects, from the chapters."""
 

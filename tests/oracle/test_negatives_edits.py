@@ -1,5 +1,7 @@
 """Edits of inputs: where they go, what they refuse, and how seals are made anew."""
 
+from zlib import crc32
+
 import msgspec
 import pytest
 from msgspec import Raw
@@ -168,6 +170,17 @@ def test_a_file_that_ends_too_soon_is_sealed_as_far_as_it_goes() -> None:
         assert resealed(data[:end]) == data[:end]
     assert resealed(data + b"\0" * 11) == data + b"\0" * 11
     assert resealed(data + b"\0" * 12)[-4:] == section(b"\0\0\0\0", b"")[8:12]
+
+
+def test_all_four_bytes_of_a_length_count() -> None:
+    """A section that is said to be long is sealed no further than its header. FILE-SECTION-1."""
+    head, rest = BALL.data[:9], BALL.data[9:]
+    for length in (2 + (1 << 8), 2 + (1 << 16), 2 + (1 << 24)):
+        header = b"WORD" + length.to_bytes(4, "little")
+        file = head + header + bytes(4) + b"ab" + bytes(4) + rest
+        mended = resealed(file)
+        assert mended[17:21] == crc32(header).to_bytes(4, "little")
+        assert mended[21:] == file[21:]
 
 
 def test_sealed_edits_are_of_files() -> None:

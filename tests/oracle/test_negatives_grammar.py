@@ -3,6 +3,7 @@
 import struct
 from collections import Counter
 from dataclasses import replace
+from functools import cache
 from itertools import islice, product
 
 import msgspec
@@ -28,7 +29,14 @@ from clers.oracle.negatives import by_hand, pencil
 from clers.oracle.negatives.backwards import all_streams, random_streams
 from clers.oracle.negatives.files import FILES
 from clers.oracle.negatives.grammar import streams
-from clers.oracle.negatives.words import stream_form
+from clers.oracle.negatives.words import spoken_of, stream_form
+from clers.oracle.positives.asked import needed
+
+
+@cache
+def drawn() -> tuple[tuple[str, Stream], ...]:
+    """The streams of the suite, drawn once."""
+    return tuple(streams())
 
 
 def _records(word: str) -> list[tuple[Record, ...]]:
@@ -107,18 +115,18 @@ def test_the_walk_keeps_the_grammar() -> None:
 
 def test_walks_reach_handles_curves_and_components() -> None:
     """Clause: ORCL-GRAMMAR-1."""
-    drawn = list(islice(random_streams(16, 16), 600))
-    kinds = Counter(kind for stream in drawn for kind in {r.kind for r in stream.records})
+    walked = list(islice(random_streams(16, 16), 600))
+    kinds = Counter(kind for stream in walked for kind in {r.kind for r in stream.records})
     assert kinds[Kind.HANDLE] > 20
     assert kinds[Kind.BOUNDARY] > 20
-    assert {s.components_with_boundary for s in drawn} >= {0, 1}
-    assert drawn[:50] == list(islice(random_streams(16, 16), 50))
-    assert drawn[:50] != list(islice(random_streams(17, 16), 50))
+    assert {s.components_with_boundary for s in walked} >= {0, 1}
+    assert walked[:50] == list(islice(random_streams(16, 16), 50))
+    assert walked[:50] != list(islice(random_streams(17, 16), 50))
 
 
 def test_the_definition_says_the_same_of_what_was_built() -> None:
     """A decoder that folds operators agrees on every stream. Clauses: EB-DECODE-3, EB-FOLD-1."""
-    for number, (_, stream) in enumerate(streams()):
+    for number, (_, stream) in enumerate(drawn()):
         if len(stream.word) <= 6 and number % 3 == 0:
             fast, slow = decode(stream), decode_by_fold(stream)
             assert isinstance(fast, Accepted) == isinstance(slow, Accepted)
@@ -128,7 +136,7 @@ def test_the_definition_says_the_same_of_what_was_built() -> None:
 
 def test_the_suite_has_them() -> None:
     """Clause: ORCL-GRAMMAR-1."""
-    given = dict(reversed([(stream, slug) for slug, stream in streams()]))
+    given = dict(reversed([(stream, slug) for slug, stream in drawn()]))
     good = {s: slug for s, slug in given.items() if isinstance(decode(s), Accepted)}
     slugs = Counter(slug.partition("-")[0] for slug in good.values())
     assert slugs["all"] == 1 + 3 + 12 + 43 + 173
@@ -139,6 +147,38 @@ def test_the_suite_has_them() -> None:
     words = [case for case in accepted() if case.op == "word.decode" and case.origin == "grammar"]
     assert len(words) > 400
     assert any(case.trace for case in words)
+
+
+@pytest.mark.parametrize(
+    ("stream", "needs"),
+    [
+        (Stream("CRE"), ()),
+        (Stream("CRE", (), 1), ("boundaries.one",)),
+        (Stream("CRE", (), 2), ("boundaries.many", "components")),
+        (Stream("CRE", (), -1), ()),
+        (Stream("CREE"), ("components",)),
+        (Stream("CREC"), ("components",)),
+        (Stream("SEE"), ()),
+        (Stream("SEEE"), ("components",)),
+        (Stream("SE", (Record(Kind.HANDLE, 0, 0, Side.LEFT),)), ("handles",)),
+        (Stream("SEE", (Record(Kind.HANDLE, 0, 0, Side.LEFT),)), ("components", "handles")),
+        (Stream("SEE", (Record(Kind.HANDLE, 1, 0, Side.LEFT),)), ("handles",)),
+        (Stream("SSEE", (Record(Kind.BOUNDARY, 1, 0, Side.LEFT),)), ("boundaries.one",)),
+        (Stream("SE", (Record(Kind.BOUNDARY, 0, 0, Side.LEFT),), 1), ("boundaries.many",)),
+        (Stream("SE", (Record(Kind.BOUNDARY, 0, 0, Side.LEFT),), -1), ("boundaries.one",)),
+        (Stream(""), ()),
+    ],
+)
+def test_what_a_stream_speaks_of(stream: Stream, needs: tuple[str, ...]) -> None:
+    """Clause: ORCL-CASE-4."""
+    assert spoken_of(stream) == needs
+
+
+def test_a_good_stream_speaks_of_what_its_surface_needs() -> None:
+    """Clauses: ORCL-CASE-4, EB-COUNT-4."""
+    for number, (_, stream) in enumerate(drawn()):
+        if number % 2 == 0 and isinstance(found := decode(stream), Accepted):
+            assert set(spoken_of(stream)) == set(needed(found.value))
 
 
 PARENTS = dict(FILES)
@@ -186,12 +226,13 @@ def test_bits_by_pencil(code: str, word: str) -> None:
 
 def test_counts_by_pencil_are_halved() -> None:
     """Clauses: INFO-ADAPT-1, INFO-ADAPT-2."""
-    counts = pencil.Counts((1, 2, 3), 3, 9)
+    counts = pencil.Counts((1, 2, 3), 2, 8)
     assert counts.slot(0) == (0, 1, 6)
-    assert counts.slot(2) == (6, 9, 9)
+    assert counts.frequencies == [3, 2, 3]
+    assert counts.slot(2) == (5, 8, 8)
     assert counts.frequencies == [2, 1, 3]
     assert counts.slot(1) == (2, 3, 6)
-    assert counts.frequencies == [2, 4, 3]
+    assert counts.frequencies == [2, 3, 3]
 
 
 @pytest.mark.parametrize("symbols", [(), (1,), (0, 2), (1,) * 70 + (2,), (2, 0) * 40])

@@ -1,5 +1,7 @@
 """The Markdown report. Clauses: ORCL-HTML-1, ORCL-HTML-2, ORCL-HTML-5."""
 
+from itertools import pairwise
+
 import pytest
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
@@ -50,6 +52,16 @@ def test_headings() -> None:
     ]
     assert sum(tag == "h4" for tag, _ in heads) == 22
     assert len(heads) == 4 + 3 + 22
+
+
+def test_blocks_are_apart() -> None:
+    """Clause: ORCL-HTML-2: readers differ in what may follow what without a blank line."""
+    lines = PAGE.splitlines()
+    for k, line in enumerate(lines):
+        if line.startswith("#") and k:
+            assert lines[k - 1] == lines[k + 1] == ""
+    assert "" not in (lines[0], lines[-1])
+    assert all(one or other for one, other in pairwise(lines))
 
 
 @pytest.mark.parametrize(

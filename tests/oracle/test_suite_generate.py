@@ -13,12 +13,13 @@ from clers.conformance.cases.identity import named
 from clers.conformance.messages import Rejection
 from clers.conventions.reason import Fault, Reason
 from clers.conventions.result import Accepted, Rejected
+from clers.oracle.positives.all_families import FAMILIES
 from clers.oracle.positives.asked import Asked
 from clers.oracle.positives.echoes import echoes
 from clers.oracle.suite import generated
 from clers.oracle.suite.adding import FILE, add, shrunk
 from clers.oracle.suite.files import Suite, read_suite
-from clers.oracle.suite.generated import all_flags, before, generate, inputs_of
+from clers.oracle.suite.generated import STEPS, all_flags, before, generate, inputs_of
 from clers.oracle.suite.records import Retired, Score
 from clers.oracle.suite.retiring import Reused, Unretired, retire, slug_in
 from clers.oracle.suite.written import write_suite
@@ -104,6 +105,7 @@ def test_a_suite_is_made(tmp_path: Path) -> None:
     files = generate({"inputs/solids.json": b"{}"}, None, "", said.append)
     assert isinstance(files, dict)
     assert said == ["echoes", "negatives"]
+    assert len(FAMILIES) + len(said) - 1 == STEPS
     write(tmp_path, files)
     suite = read(tmp_path)
     assert [(part.profile, part.op) for part in suite.parts] == [
@@ -145,6 +147,16 @@ def test_what_may_not_be_gone(tmp_path: Path) -> None:
     back = replace(new.retired[0], id=new.cases[0].id)
     again = Suite(new.manifest, new.parts, new.flags, (back,), new.canaries)
     assert generate({}, again, "whatever") == Reused((new.cases[0].id,))
+
+
+@pytest.mark.usefixtures("few")
+def test_without_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """ORCL-SUITE-5: the corpus is needed."""
+    monkeypatch.setattr(generated, "MESHES", tmp_path / "none")
+    found = generate({}, None)
+    assert isinstance(found, Rejected)
+    assert found.reason is Reason.UNREADABLE_FILE
+    assert found.detail == f"{tmp_path / 'none'}: not there: a checkout is needed"
 
 
 def test_every_flag_is_explained_once() -> None:

@@ -74,7 +74,7 @@ COUNTED = (1, 3, 13, 68, 399, 2530)
 
 
 def test_spheres_of_few_vertices() -> None:
-    """EB-GRAMMAR-10: with five vertices two C, no CL or CE (EB-COUNT-1), and CCSEE is impossible."""
+    """EB-GRAMMAR-10, EB-COUNT-1: of five vertices all have two C, and CCSEE is impossible."""
     assert sphere_words(4) == ("CRE",)
     assert sphere_words(5) == ("CCRLE", "CCRRE", "CRCRE")
     assert components(sphere("CRE"))[0].euler == 2

@@ -114,6 +114,15 @@ def test_another_order(tmp_path: Path) -> None:
     ]
 
 
+def test_a_file_under_another_name(tmp_path: Path) -> None:
+    """ORCL-SUITE-1."""
+    (written(tmp_path) / DECODED).rename(tmp_path / "components" / "other.json")
+    file = tmp_path / "manifest.json"
+    file.write_text(file.read_text().replace(DECODED, "components/other.json"))
+    what = "it has another profile or operation than its name says"
+    assert verify(tmp_path)[0] == Problem("components/other.json", what, Clause.ORCL_SUITE_1)
+
+
 @pytest.mark.parametrize(
     ("key", "value"),
     [

@@ -112,6 +112,20 @@ def test_of_a_vertex_with_several_places_the_nearest_is_taken() -> None:
             assert triangle.path == face.path
 
 
+def test_the_first_face_says_where_the_triangle_is() -> None:
+    """Clause: TOOL-PICTURE-14: without a face the first place of the first vertex does."""
+    panel = _picture(TORUS, Pointer()).panels[0]
+    drawn = [f for f in range(TORUS.faces) if _shape(panel, f).ring == 0]
+    for f, g in zip(drawn, reversed(drawn), strict=True):
+        a, b, c = TORUS.vertex[3 * f : 3 * f + 3]
+        pointer = Pointer(faces=(f, g), triangle=(a, b, c))
+        pointed = _picture(TORUS, pointer).panels[0].pointed
+        assert pointed[-1].path == pointed[0].path
+        (alone,) = _picture(TORUS, Pointer(triangle=(a, b, c))).panels[0].pointed
+        first = _picture(TORUS, Pointer(vertices=(a,))).panels[0].pointed[0]
+        assert alone.path[0] == first.path[0]
+
+
 @pytest.mark.parametrize(
     "pointer",
     [
@@ -166,6 +180,7 @@ def test_images_stand_beside_each_other() -> None:
     assert isclose(both.height, 2.4 * HEADING + max(one.height, other.height))
     heads = [item for group in both.groups for item in group.items if isinstance(item, Words)]
     headings = [word for word in heads if word.size == HEADING]
+    assert {word.at[1] for word in headings} == {1.4 * HEADING}
     assert [(word.text, word.at[0]) for word in headings] == [
         ("left", one.width / 2),
         ("right", one.width + other.width / 2),

@@ -57,7 +57,8 @@ function oppositeTable(vertex, vertices) {
     opposite[one] = other;
     opposite[other] = one;
   });
-  const blamed = (corner) => ({ edge: [vertex[next(corner)], vertex[previous(corner)]], face: faceOf(corner) });
+  const blamed = (corner) => (
+    { face: faceOf(corner), tail: vertex[next(corner)], head: vertex[previous(corner)] });
   if (third < Infinity) reject('edge-with-three-faces', 'CPLX-REJECT-6', blamed(third));
   if (second < Infinity) reject('edge-twice-in-one-direction', 'CPLX-REJECT-7', blamed(second));
   return opposite;

@@ -35,6 +35,11 @@ function number(value, path) {
   return typeof value === 'number' ? value : wrong(path, 'a number');
 }
 
+/** How far a coordinate may move (ORCL-CODEC-1). */
+function bound(value, path) {
+  return typeof value === 'number' && value >= 0 ? value : wrong(path, 'a number that is not negative');
+}
+
 function text(value, path) {
   return typeof value === 'string' ? value : wrong(path, 'a string');
 }
@@ -129,7 +134,7 @@ const INPUTS = {
   ),
   'mesh.encode': object({ ...connectivity, positions, code: text, accuracy }, { positions: null }),
   'mesh.decode': object({ hex: bytes }),
-  'codec.roundtrip': object({ ...connectivity, positions }, { positions: null }),
+  'codec.roundtrip': object({ ...connectivity, positions, error: list(bound) }, { positions: null, error: null }),
 };
 
 module.exports = { FormError, INPUTS, count, isObject };

@@ -136,7 +136,7 @@ function modelFromOutside(form) {
     return new Static(form.frequencies);
   }
   if (form.kind === 'uniform') {
-    if (!(form.size >= 1 && form.size <= LARGEST_TOTAL)) reject('bad-table', 'INFO-STATIC-2');
+    if (!(form.size >= 1 && form.size <= LARGEST_TOTAL)) reject('bad-table', 'INFO-STATIC-3');
     return new Uniform(form.size);
   }
   const total = checkedTotal(form.frequencies);

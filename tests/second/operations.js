@@ -68,6 +68,7 @@ const OPERATIONS = {
 
   'code.decode'({ code, bits, symbols, components_with_boundary: boundaryComponents, closings }) {
     codes.codeNamed(code);
+    checkSymbols(symbols);
     const read = bitsFromOutside(bits.hex, bits.length);
     return { word: codes.decodeWord(code, read, { symbols, boundaryComponents, closings }) };
   },

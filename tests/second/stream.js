@@ -37,6 +37,8 @@ function scan({ word, records, boundaryComponents }) {
 function checkOrder(records, splits) {
   records.forEach(({ s }, record) => {
     if (record > 0 && s <= records[record - 1].s) reject('record-order', 'EB-GRAMMAR-2', { record });
+  });
+  records.forEach(({ s }, record) => {
     if (s < 0 || s >= splits) reject('record-out-of-range', 'EB-GRAMMAR-2', { record });
   });
 }

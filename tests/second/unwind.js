@@ -4,10 +4,10 @@
 // Face f has the corners 3f (its tip), 3f + 1 and 3f + 2, and an edge is named by the corner opposite to it: the
 // edge of the gate is 3f, the right edge 3f + 1, the left edge 3f + 2 (EB-GATE-1, EB-ORDER-3).
 
-const { BORDER, Surface, forEachCornerAround, next, previous } = require('./corners.js');
-const { forEachEdge, forEachTriangle } = require('./grouping.js');
+const { BORDER, Surface, faceOf, forEachCornerAround, next, previous } = require('./corners.js');
+const { surfaceOf } = require('./face_list.js');
 const { Loops } = require('./loops.js');
-const { reject } = require('./rejection.js');
+const { Rejection, reject } = require('./rejection.js');
 const { scan } = require('./stream.js');
 
 const UNGLUED = -2;
@@ -240,23 +240,21 @@ class Unwinding {
     return new Surface(vertex, this.opposite, vertices);
   }
 
-  /** EB-GRAMMAR-9. */
+  /**
+   * EB-GRAMMAR-9, by the face list: triangles that share two vertices share the edge and no more, exactly if the
+   * list reads as a surface, and as this one.
+   */
   rejectDoubles(surface) {
-    const { vertex, opposite, vertices } = surface;
-    for (let corner = 0; corner < vertex.length; corner += 1) {
-      if (vertex[corner] === vertex[next(corner)]) this.rejectFace('repeated-vertex', corner);
+    const blame = (reason, face) => reject(reason, 'EB-GRAMMAR-9', { symbol: this.symbolOfFace(face) });
+    let read;
+    try {
+      read = surfaceOf(surface.triangles(), surface.vertices);
+    } catch (fault) {
+      if (!(fault instanceof Rejection)) throw fault;
+      return blame(fault.reason === 'repeated-index' ? 'repeated-vertex' : 'double-edge', fault.at.face ?? 0);
     }
-    forEachEdge(vertex, vertices, (corners, start, stop) => {
-      const glued = stop - start === 2 && opposite[corners[start]] === corners[start + 1];
-      if (stop - start > 1 && !glued) this.rejectFace('double-edge', corners[start + 1]);
-    });
-    forEachTriangle(vertex, vertices, (faces, start, stop) => {
-      if (stop - start > 1) this.rejectFace('double-edge', 3 * faces[start + 1]);
-    });
-  }
-
-  rejectFace(reason, corner) {
-    reject(reason, 'EB-GRAMMAR-9', { symbol: this.symbolOfFace(Math.floor(corner / 3)) });
+    const other = read.opposite.findIndex((across, corner) => across !== surface.opposite[corner]);
+    return other < 0 ? undefined : blame('double-edge', faceOf(other));
   }
 }
 

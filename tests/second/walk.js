@@ -18,7 +18,7 @@ class Walk {
     this.records = [];
     this.entries = []; // the trace (EB-TRACE-1)
     this.component = -1;
-    this.euler = 0;
+    this.euler = 0; // of the visited part of the component, infinite faces counted (EB-TRACE-1)
   }
 
   visited(face) {
@@ -33,7 +33,7 @@ class Walk {
       if (surface.opposite[corner] !== BORDER || this.visited(faceOf(corner))) continue;
       boundaryComponents += 1;
       this.component += 1;
-      this.euler += 1; // EB-FOLD-1: the infinite face is a 0-handle
+      this.euler = 1; // EB-FOLD-1: the infinite face is a 0-handle
       this.traverse(corner, this.reach(surface.tail(corner)));
     }
     // EB-COMPONENT-2
@@ -59,7 +59,7 @@ class Walk {
     this.tipOrder.push(3 * face);
     const triangle = this.surface.triangle(3 * face);
     for (const vertex of triangle) this.mark(vertex);
-    this.euler += 1;
+    this.euler = 1; // EB-FOLD-1: a 0-handle
     this.entries.push({ i: -1, symbol: 'P', component: this.component, face, triangle, stack: 0, new: triangle,
       closes: [], euler: this.euler });
   }

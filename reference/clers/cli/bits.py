@@ -13,6 +13,7 @@ from clers.conventions.result import Accepted, Rejected, and_then
 
 if TYPE_CHECKING:
     from clers.measure.bits.report import Given, Report
+    from clers.oracle.pool.place import Place
 
 SUFFIXES = (".ply", ".off", ".obj", ".stl", SUFFIX)
 PLOTS = (".svg", ".png")
@@ -31,10 +32,14 @@ def bits(
     out: Annotated[
         list[Path] | None, typer.Option("--out", "-o", help="A plot (.svg, .png) or a page (.md).")
     ] = None,
+    workers: Annotated[int, typer.Option(min=1, help="Processes that measure.")] = 1,
+    scheduler: Annotated[str, typer.Option(help="The address of a Dask scheduler.")] = "",
     as_json: AsJson = False,
 ) -> None:
     """Bits of connectivity per vertex and triangle: each code, beside peers and the limit."""
+    from clers.cli.places import place_of
     from clers.measure.bits.report import STEPS, report
+    from clers.oracle.pool.place import Local
 
     outs = out or []
     for name in outs:
@@ -45,8 +50,12 @@ def bits(
         raise typer.BadParameter("name a mesh, a folder with meshes in it, or --sphere N")
     if sphere % 2 or sphere == 2:
         raise typer.BadParameter("a sphere has 4, 6, 8, … faces", param_hint="--sphere")
-    with progress("bits", STEPS * (len(files) + bool(sphere))) as step:
-        found = report(_given(files, sphere), step)
+    place = place_of(workers, scheduler)
+    if place == Local(1):
+        with progress("bits", STEPS * (len(files) + bool(sphere))) as step:
+            found = report(_given(files, sphere), step)
+    else:
+        found = _spread(files, sphere, place)
     for name in outs:
         taken(_write(name, found, _command(paths or [], sphere, name)), name)
     if as_json:
@@ -54,6 +63,17 @@ def bits(
     else:
         _print(found)
     stop(Exit.NOT_CONFORMING if found.refused else Exit.CONFORMING)
+
+
+def _spread(files: list[Path], sphere: int, place: "Place") -> "Report":
+    """The same, each mesh by whom it comes to. Clause: TOOL-BITS-11."""
+    from clers.cli.bits_spread import Item, report_of
+
+    items = [Item(file.stem, file.resolve()) for file in files]
+    if sphere:
+        items.append(Item(f"sphere-{sphere}", None, sphere, SEED))
+    with progress("bits", len(items)) as step:
+        return report_of(items, place, step)
 
 
 def _files(paths: list[Path]) -> list[Path]:

@@ -12,11 +12,15 @@ from clers import SPEC_VERSION, __version__
 from clers.cli import (
     adapter,
     bench,
+    check,
     complexes,
     corpus,
+    explain,
+    findings,
     generate,
     laws,
     meshes,
+    mutants,
     operators,
     repairs,
     roundtrip,
@@ -43,6 +47,12 @@ app.command()(roundtrip.roundtrip)
 app.command()(repairs.repair)
 app.command()(walks.word)
 app.command()(walks.trace)
+app.command()(check.check)
+app.command()(explain.explain)
+app.command()(findings.fuzz)
+app.command()(findings.replay)
+app.command()(findings.shrink)
+app.command()(mutants.mutants)
 app.command()(schema.schema)
 app.command(name="complex")(complexes.complex_of)
 app.add_typer(adapter.app, name="adapter")

@@ -1,6 +1,7 @@
 """`clers mutants`: do the vectors bring mistakes to light? Clauses: ORCL-MUTANT-5 … -7."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Generator, Sequence
+from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
@@ -66,9 +67,10 @@ def _by_hand(
         raise typer.BadParameter(f"no mutant is named {only}", param_hint="--only")
     if write and len(chosen) < len(MUTANTS):
         raise typer.BadParameter("only the score of all mutants is kept", param_hint="--write")
-    fates = run([mutant.name for mutant in chosen], folder, workers)
-    rows = (row(m, fate, EXPLAINED) for m, fate in zip(chosen, fates, strict=True))
-    found = report(said.suite, said.count, chosen, _gathered(rows, len(chosen), lambda r: r.name))
+    names = [mutant.name for mutant in chosen]
+    fates = _gathered(run(names, folder, workers), names)
+    rows = [row(m, fate, EXPLAINED) for m, fate in zip(chosen, fates, strict=False)]
+    found = report(said.suite, said.count, chosen, rows)
     if as_json:
         json(found)
     else:
@@ -85,14 +87,18 @@ def _by_hand(
     stop(Exit.CONFORMING if found.good else Exit.NOT_CONFORMING)
 
 
-def _gathered(found: Iterable[A], count: int, name: Callable[[A], str]) -> list[A]:
-    """What comes, until there is no more or an interrupt, under a progress bar."""
+def _gathered(found: Generator[A, None, None], names: Sequence[str]) -> list[A]:
+    """What comes, until there is no more or an interrupt, under a progress bar.
+
+    Then nothing runs any more.
+    """
     there: list[A] = []
-    with progress("mutants", count) as step:
+    with progress("mutants", len(names)) as step, closing(found):
         try:
+            step(names[0])
             for one in found:
                 there.append(one)
-                step(name(one))
+                step(names[len(there) - 1])
         except KeyboardInterrupt:
             pass
     return there
@@ -133,8 +139,8 @@ def _automatic(
         note(f"clers mutants: {known}")
         stop(Exit.SELF_CHECK)
     of = sample(known, number, seed)
-    fates = run(of, known, folder, said.count, workers)
-    found = _gathered(fates, len(of.drawn), lambda one: f"{one.module}:{one.place}")
+    names = [f"{drawn.subject.module}:{drawn.mutant.place}" for drawn in of.drawn]
+    found = _gathered(run(of, known, folder, said.count, workers), names)
     if as_json:
         json({"suite": said.suite, "mutants": of.mutants, "seed": seed, "tried": found})
     else:

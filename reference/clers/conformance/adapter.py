@@ -23,7 +23,7 @@ Server = Callable[[Request], tuple[Reply, ...]]
 """What answers requests: the reference, or a codec of somebody else."""
 
 
-def answered(line: bytes, by: Server = serve) -> tuple[Reply, ...] | Bye:
+def answered(line: bytes, by: Server | None = None) -> tuple[Reply, ...] | Bye:
     """The replies to a line, whatever it is; or bye. Clauses: ORCL-REPLY-3, ORCL-REPLY-4."""
     request = request_in(line)
     match request:
@@ -35,10 +35,10 @@ def answered(line: bytes, by: Server = serve) -> tuple[Reply, ...] | Bye:
             return _guarded(request, by)
 
 
-def _guarded(request: Request, by: Server) -> tuple[Reply, ...]:
+def _guarded(request: Request, by: Server | None) -> tuple[Reply, ...]:
     """What the code below does wrong is said and does not end the adapter. Clause: ORCL-REPLY-4."""
     try:
-        return by(request)
+        return serve(request) if by is None else by(request)
     except Exception as fault:
         number = None if isinstance(request, Bye) else request.id
         return (ErrorReply(number, Failure(f"{type(fault).__name__}: {fault}")),)
@@ -69,7 +69,7 @@ def _number_in(raw: msgspec.Raw | None) -> int | None:
         return None
 
 
-def loop(requests: BinaryIO, replies: BinaryIO, by: Server = serve) -> None:
+def loop(requests: BinaryIO, replies: BinaryIO, by: Server | None = None) -> None:
     """Answer line by line, until bye or the end. Clauses: ORCL-LINE-1, ORCL-LINE-2, ORCL-BYE-1."""
     while line := requests.readline():
         found = answered(line, by)

@@ -131,7 +131,7 @@ Request = Hello | Operation | Bye
 
 
 class Caps(Struct, frozen=True, forbid_unknown_fields=True):
-    """What an implementation can do within its operations. Clause: ORCL-HELLO-2."""
+    """What an implementation can do within its operations. Clauses: ORCL-HELLO-2, ORCL-CODEC-16."""
 
     handles: bool
     boundaries: Literal["none", "one", "many"]
@@ -141,6 +141,7 @@ class Caps(Struct, frozen=True, forbid_unknown_fields=True):
     trace: tuple[str, ...] = ()
     codes: tuple[str, ...] = ()
     coders: tuple[str, ...] = ()
+    positions: tuple[Literal["f32", "f64"], ...] = ("f32", "f64")
 
 
 class Introduction(Struct, frozen=True, forbid_unknown_fields=True):

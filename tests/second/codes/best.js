@@ -1,6 +1,7 @@
 'use strict';
 // The code `best` (CODE-BEST-1, CODE-BEST-2): the shortest of five, with a selector.
 
+const { rejectUnknown } = require('./alphabet.js');
 const context = require('./context.js');
 const enumerative = require('./enumerative.js');
 const golden = require('./golden.js');
@@ -14,6 +15,7 @@ const CHOICES = [['0', context], ['100', enumerative], ['101', golden], ['110', 
 
 /** The bits with the selector of the code that takes the fewest; a code that refuses the word is no choice. */
 function encode(word, implied, stream) {
+  rejectUnknown(word, 'CODE-BEST-1');
   let best = null;
   let refusal = null;
   for (const [selector, code] of CHOICES) {
@@ -47,7 +49,6 @@ module.exports = {
   decode(bits, symbols, implied, told) {
     const [selector, code] = selected(bits);
     const rest = bitsFrom(bits, selector.length);
-    if (symbols + implied.length > code.mostSymbols(rest.length)) reject('truncated-bits', 'CODE-NAME-3');
     const word = code.decode(rest, symbols, implied, told);
     const whole = implied + word;
     const records = recordsOf(whole, told.closings);

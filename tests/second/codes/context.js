@@ -1,6 +1,7 @@
 'use strict';
 // The code `context` (CODE-CONTEXT-1 to CODE-CONTEXT-8): a word from its last symbol to its first.
 
+const { rejectUnknown } = require('./alphabet.js');
 const { CountedLoops, GONE } = require('./context_loops.js');
 const { Mixer } = require('./mixing.js');
 const { Decoder, Encoder } = require('../arithmetic.js');
@@ -37,10 +38,8 @@ class Foreteller {
     ];
   }
 
-  /**
-   * Undoes one symbol. `decide(P)` is asked of each decision in turn, and answers whether it is yes.
-   */
-  undo(place, decide) {
+  /** Undoes one symbol. `decide(P)` is asked of each decision in turn, and answers whether it is yes. */
+  undo(decide) {
     const { loops } = this;
     const { gate } = loops;
     const certain = [null, null, null, null];
@@ -57,15 +56,15 @@ class Foreteller {
     for (let decision = 0; decision < 4 && symbol === 'S'; decision += 1) {
       let yes;
       if (certain[decision] !== null) {
-        yes = decide(certain[decision], place);
+        yes = decide(certain[decision]);
       } else {
         const mixer = this.mixers[decision];
-        yes = decide(mixer.foretell(this.slotsOf(contexts, decision)), place);
+        yes = decide(mixer.foretell(this.slotsOf(contexts, decision)));
         mixer.learn(yes);
       }
       if (yes) symbol = ASKED[decision];
     }
-    loops.undo(symbol, place);
+    loops.undo(symbol);
     this.past = ['CLERS'.indexOf(symbol), ...this.past.slice(0, 11)];
     return symbol;
   }
@@ -79,17 +78,19 @@ class Foreteller {
   }
 }
 
+/** CODE-NAME-3. */
+const mostSymbols = (bits) => 2070 * bits + 2;
+
 const table = (yes) => new Static([CERTAIN - yes, yes]);
 
 module.exports = {
   encode(word, before, { word: whole, records }) {
-    const unknown = word.search(/[^CLERS]/);
-    if (unknown >= 0) reject('not-in-alphabet', 'CODE-CONTEXT-3', { symbol: unknown });
+    rejectUnknown(word, 'CODE-CONTEXT-1');
     const foreteller = new Foreteller(word.length, closingsOf(whole, records));
     const encoder = new Encoder();
     for (let place = word.length - 1; place >= 0; place -= 1) {
       let asked = 0;
-      foreteller.undo(place, (yes) => {
+      foreteller.undo((yes) => {
         const answer = word[place] === ASKED[asked];
         asked += 1;
         if (!encoder.put(table(yes), answer ? 1 : 0)) {
@@ -102,16 +103,14 @@ module.exports = {
   },
 
   decode(bits, symbols, before, { closings }) {
-    const foreteller = new Foreteller(symbols, closings);
+    const most = Math.min(symbols, mostSymbols(bits.length)); // the bits end before there are more
+    const foreteller = new Foreteller(most, closings);
     const decoder = new Decoder(bits);
-    const word = new Array(symbols);
-    for (let place = symbols - 1; place >= 0; place -= 1) {
-      word[place] = foreteller.undo(place, (yes) => decoder.take(table(yes)) === 1);
-    }
+    const word = []; // from its end
+    while (word.length < symbols) word.push(foreteller.undo((yes) => decoder.take(table(yes)) === 1));
     decoder.finish();
-    return word.join('');
+    return word.reverse().join('');
   },
 
-  /** CODE-NAME-3. */
-  mostSymbols: (bits) => 2070 * bits + 2,
+  mostSymbols,
 };

@@ -7,11 +7,12 @@ const GONE = -1;
 const RIGHT = 1;
 const LEFT = 2;
 
-/** Undoes the symbols of a word from its end. Symbol n has the edges 3n of its gate, 3n + 1 right, 3n + 2 left. */
+/** Undoes a word from its end. The symbol undone as number n has the edges 3n (gate), 3n + 1 right, 3n + 2 left. */
 class CountedLoops {
   constructor(symbols, closings) {
     this.loops = new Loops(3 * symbols);
     this.count = new Int32Array(3 * symbols).fill(GONE); // of an edge in a loop: triangles undone around its start
+    this.undone = 0;
     this.stack = [];
     this.closings = closings;
     this.closed = 0; // the closings used so far
@@ -44,8 +45,9 @@ class CountedLoops {
     return loops.after[gate] !== partner && loops.after[partner] !== gate && loops.after[partner] !== partner;
   }
 
-  undo(symbol, place) {
-    const gate = 3 * place;
+  undo(symbol) {
+    const gate = 3 * this.undone;
+    this.undone += 1;
     const entered = this.gate;
     switch (symbol) {
       case 'E': this.undoE(gate); break;

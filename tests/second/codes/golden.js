@@ -28,7 +28,7 @@ const tables = (before) => {
 };
 
 module.exports = {
-  encode: (word, before) => encodeWord(word, tables(before)),
+  encode: (word, before) => encodeWord(word, tables(before), 'CODE-GOLDEN-1'),
   decode: (bits, symbols, before) => decodeWord(bits, symbols, tables(before)),
 
   /** CODE-NAME-3. */

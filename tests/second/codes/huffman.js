@@ -4,6 +4,7 @@
 const { BitWriter, bitAt } = require('../bits.js');
 const prefix = require('./prefix.js');
 const { reject } = require('../rejection.js');
+const { rejectUnknown } = require('./alphabet.js');
 
 const SYMBOLS = [...'CLERS'];
 const TABLE_BITS = 15;
@@ -47,13 +48,12 @@ function countsOf(word) {
 
 module.exports = {
   encode(word, before) {
-    const unknown = [...word].findIndex((symbol) => !SYMBOLS.includes(symbol));
-    if (unknown >= 0) reject('not-in-alphabet', 'INFO-PREFIX-2', { symbol: unknown });
+    rejectUnknown(word, 'CODE-HUFFMAN-1');
     const lengths = lengthsOf(countsOf(word));
     const table = codewordsOf(lengths);
     const writer = new BitWriter();
     for (const length of lengths) writer.write(length.toString(2).padStart(3, '0'));
-    prefix.write(writer, word, before, () => table);
+    prefix.write(writer, word, before, () => table, 'CODE-HUFFMAN-1');
     return writer.done();
   },
 

@@ -11,7 +11,8 @@ const kingRossignac = require('./king_rossignac.js');
 const { minimax } = require('./minimax.js');
 const { MINIMAX_3, MINIMAX_8 } = require('./minimax_tables.js');
 const plain = require('./plain.js');
-const { Rejection, Unsupported, reject } = require('../rejection.js');
+const { closingsOf } = require('../closings.js');
+const { Unsupported, reject } = require('../rejection.js');
 
 const CODES = new Map([
   ['plain', plain],
@@ -38,22 +39,14 @@ function impliedIn(boundaryComponents) {
   return boundaryComponents === 0 ? 'C' : '';
 }
 
-/** Codes see the word without the implied symbol; in what they reject symbols are counted with it. */
-function countingImplied(implied, work) {
-  try {
-    return work();
-  } catch (fault) {
-    if (fault instanceof Rejection && 'symbol' in fault.at) fault.at.symbol += implied.length;
-    throw fault;
-  }
-}
-
+/** CODE-IMPLIED-2. What a code rejects it blames on symbols counted without the implied one. */
 function encodeWord(name, stream) {
   const code = codeNamed(name);
   const { word, boundaryComponents } = stream;
   const implied = impliedIn(boundaryComponents);
   if (!word.startsWith(implied)) reject('not-in-alphabet', 'CODE-IMPLIED-2', { symbol: 0 });
-  return countingImplied(implied, () => code.encode(word.slice(implied.length), implied, stream));
+  closingsOf(word, stream.records); // CODE-HAND-2: refused, whether the code needs them or not
+  return code.encode(word.slice(implied.length), implied, stream);
 }
 
 function decodeWord(name, bits, told) {
@@ -61,9 +54,7 @@ function decodeWord(name, bits, told) {
   const code = codeNamed(name);
   const implied = impliedIn(boundaryComponents);
   if (symbols < implied.length) reject('empty-word', 'CODE-IMPLIED-2');
-  // CODE-NAME-3: before anything else, so that no memory is used for symbols that cannot be there.
-  if (symbols > code.mostSymbols(bits.length)) reject('truncated-bits', 'CODE-NAME-3');
-  return implied + countingImplied(implied, () => code.decode(bits, symbols - implied.length, implied, told));
+  return implied + code.decode(bits, symbols - implied.length, implied, told);
 }
 
 module.exports = { CODES, codeNamed, encodeWord, decodeWord };

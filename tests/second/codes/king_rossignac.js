@@ -24,16 +24,16 @@ function shortest(word, before) {
 
 module.exports = {
   encode(word, before) {
-    prefix.write(new BitWriter(), word, before, tableOf(0)); // CODE-KR-1: refuses what has no codeword
+    prefix.write(new BitWriter(), word, before, tableOf(0), 'CODE-KR-1'); // a codeword in one is one in all
     const code = shortest(word, before);
     const writer = new BitWriter();
     writer.write(SELECTORS[code]);
-    prefix.write(writer, word, before, tableOf(code));
+    prefix.write(writer, word, before, tableOf(code), 'CODE-KR-1');
     return writer.done();
   },
 
   decode(bits, symbols, before) {
-    if (bits.length < 2) reject('truncated-bits', 'CODE-KR-3');
+    if (bits.length < 2) reject('truncated-bits', 'CODE-KR-3', { symbol: 0 });
     const code = 2 * bitAt(bits, 0) + bitAt(bits, 1);
     if (code === 3) reject('not-canonical', 'CODE-KR-3');
     const word = prefix.read(bits, 2, symbols, before, tableOf(code), CLAUSES);

@@ -4,8 +4,7 @@
 const { decodeWord, encodeWord } = require('./modelled.js');
 const { Static } = require('../models.js');
 const { reject } = require('../rejection.js');
-
-const SYMBOLS = 'CLERS';
+const { SYMBOLS, rejectUnknown } = require('./alphabet.js');
 
 /** The contexts of a code: each has its table, and for each symbol the number of the context after it, or -1. */
 function contextsOf(rows) {
@@ -34,13 +33,14 @@ function minimax(rows) {
   return {
     encode(word, before) {
       const walked = walk(before);
+      rejectUnknown(word, 'CODE-MINIMAX-4');
       for (let place = 0; place < word.length; place += 1) {
-        const number = SYMBOLS.indexOf(word[place]);
-        if (number < 0) reject('not-in-alphabet', 'CODE-MINIMAX-4', { symbol: place });
-        if (walked.table.slot(number) === null) reject('not-representable', 'CODE-MINIMAX-5', { symbol: place });
+        if (walked.table.slot(SYMBOLS.indexOf(word[place])) === null) {
+          reject('not-representable', 'CODE-MINIMAX-5', { symbol: place });
+        }
         walked.after(word[place]);
       }
-      return encodeWord(word, walk(before));
+      return encodeWord(word, walk(before), 'CODE-MINIMAX-4');
     },
 
     decode: (bits, symbols, before) => decodeWord(bits, symbols, walk(before)),

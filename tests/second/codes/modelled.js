@@ -3,11 +3,11 @@
 
 const { Decoder, Encoder } = require('../arithmetic.js');
 const { reject } = require('../rejection.js');
-
-const SYMBOLS = 'CLERS';
+const { SYMBOLS, rejectUnknown } = require('./alphabet.js');
 
 /** `contexts` has the `table` that the next symbol meets, and is told each symbol by `after`. */
-function encodeWord(word, contexts) {
+function encodeWord(word, contexts, clause) {
+  rejectUnknown(word, clause);
   const encoder = new Encoder();
   for (let place = 0; place < word.length; place += 1) {
     const number = SYMBOLS.indexOf(word[place]);

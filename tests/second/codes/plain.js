@@ -11,7 +11,7 @@ const CLAUSES = { truncated: 'CODE-PLAIN-2', trailing: 'CODE-PLAIN-2' };
 module.exports = {
   encode(word, before) {
     const writer = new BitWriter();
-    prefix.write(writer, word, before, table);
+    prefix.write(writer, word, before, table, 'CODE-PLAIN-1');
     return writer.done();
   },
 

@@ -4,12 +4,15 @@
 const { bitAt } = require('../bits.js');
 const { reject } = require('../rejection.js');
 
-/** The codewords of a word, one after another. `table(before)` has the codewords after a symbol. */
-function write(writer, word, before, table) {
+/**
+ * The codewords of a word, one after another. `table(before)` has the codewords after a symbol; a symbol without one
+ * breaks the clause that gives the codewords.
+ */
+function write(writer, word, before, table, clause) {
   let last = before;
   for (let place = 0; place < word.length; place += 1) {
     const codeword = table(last)[word[place]];
-    if (codeword === undefined) reject('not-in-alphabet', 'INFO-PREFIX-2', { symbol: place });
+    if (codeword === undefined) reject('not-in-alphabet', clause, { symbol: place });
     writer.write(codeword);
     last = word[place];
   }

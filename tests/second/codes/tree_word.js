@@ -33,7 +33,7 @@ function treeWord(surface) {
   return bits;
 }
 
-const notTreeWord = (bit) => reject('not-canonical', 'CODE-TREE-6', bit === undefined ? {} : { bit });
+const notTreeWord = (bit) => reject('not-canonical', 'CODE-TREE-6', bit === undefined ? {} : { symbol: bit });
 
 /** CODE-TREE-5: the string about the tree. A side is [x, y], an edge, or [x], a leaf. */
 function stringOf(bits) {

@@ -20,10 +20,9 @@ function decodeFile(bytes) {
   const handBits = head.records === 0 ? null : bitsOf(sections.get('HAND'));
   const wordBits = bitsOf(sections.get('WORD'));
   const code = codes.codeNamed(head.code);
-  if (head.symbols > code.mostSymbols(wordBits.length)) reject('impossible-count', 'FILE-COUNT-2');
-  if (head.records > head.symbols) {
-    reject('impossible-count', 'FILE-COUNT-1', { byte: sections.get('HAND').start, section: 'HAND' });
-  }
+  const startOf = (tag) => sections.get(tag).at(sections.get(tag).start);
+  if (head.symbols > code.mostSymbols(wordBits.length)) reject('impossible-count', 'FILE-COUNT-2', startOf('WORD'));
+  if (head.records > head.symbols) reject('impossible-count', 'FILE-COUNT-1', startOf('HAND'));
   const closings = handBits === null ? [] : decodeClosings(handBits, head.records, head.symbols);
   const word = codes.decodeWord(head.code, wordBits, { ...head, closings });
   const records = recordsOf(word, closings);

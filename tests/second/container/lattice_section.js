@@ -22,10 +22,10 @@ function readLattice(reader) {
 }
 
 function positionsOf({ exponent, lows, extents, bits }, surface) {
-  if (exponent < -1074 || exponent > 971) reject('bad-lattice', 'FILE-POSN-2');
+  if (exponent < -1074 || exponent > 971) reject('bad-lattice', 'GEOM-LATTICE-1');
   const beyond = (number) => number >= LARGEST || -number >= LARGEST;
   const bad = AXES.some((axis) => beyond(lows[axis]) || beyond(lows[axis] + BigInt(extents[axis])));
-  if (bad) reject('bad-lattice', 'FILE-POSN-2');
+  if (bad) reject('bad-lattice', 'GEOM-LATTICE-1');
   const corners = parallelogramCorners(surface);
   const residuals = decodeResiduals(bits, corners, extents);
   const indices = indicesOf(surface, corners, extents, residuals);

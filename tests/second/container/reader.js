@@ -70,6 +70,12 @@ class Reader {
     return Number(this.bigSigned(width));
   }
 
+  /** So many values, each by `read`, which takes one byte at least (FILE-COUNT-1). */
+  times(count, read) {
+    if (this.left < count) reject('impossible-count', 'FILE-COUNT-1', this.at(this.offset));
+    return Array.from({ length: count }, read);
+  }
+
   /** FILE-NUMBER-5. */
   oneOf(choices) {
     const start = this.offset;
@@ -80,9 +86,10 @@ class Reader {
 
   /** FILE-BITS-1. */
   bits() {
+    const start = this.offset;
     const length = this.varint(40);
     const bytes = this.raw(Math.ceil(length / 8));
-    if (fillingIsNotZero(bytes, length)) reject('trailing-bits', 'FILE-BITS-1', this.at(this.offset - 1));
+    if (fillingIsNotZero(bytes, length)) reject('trailing-bits', 'ARITH-BITS-3', this.at(start));
     return { bytes, length };
   }
 

@@ -26,7 +26,7 @@ function readSections(bytes) {
     checkSeal(file, bytes.subarray(start, start + HEADER));
     const place = TAGS.indexOf(tag);
     if (place < 0) reject('unknown-section', 'FILE-SECTION-3', { byte: start });
-    if (place <= last) reject('bad-section', 'FILE-SECTION-4', { byte: start, section: tag });
+    if (place <= last) reject('bad-section', 'FILE-SECTION-4', { byte: start });
     last = place;
     const payload = file.offset;
     file.section = tag;
@@ -38,11 +38,8 @@ function readSections(bytes) {
 }
 
 function readMagic(file) {
-  for (const expected of MAGIC) {
-    if (file.left === 0) reject('truncated-file', 'FILE-LAYOUT-3', { byte: 0 });
-    const byte = file.offset;
-    if (file.u8() !== expected) reject('bad-magic', 'FILE-MAGIC-1', { byte });
-  }
+  const magic = file.raw(MAGIC.length);
+  if (MAGIC.some((byte, place) => magic[place] !== byte)) reject('bad-magic', 'FILE-MAGIC-1', { byte: 0 });
   const byte = file.offset;
   if (file.u8() !== VERSION) reject('unknown-version', 'FILE-MAGIC-2', { byte });
 }

@@ -43,7 +43,7 @@ function writeExact({ precision, coordinates }) {
 /** FILE-POSN-1, GEOM-POSITION-3. */
 function readExact(reader, precision, vertices) {
   const width = WIDTH[precision];
-  if (reader.left !== 3 * width * vertices) reject('count-mismatch', 'FILE-POSN-1');
+  if (reader.left !== 3 * width * vertices) reject('count-mismatch', 'GEOM-EXACT-2');
   const bytes = reader.raw(reader.left);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const coordinates = Array.from({ length: 3 * vertices }, (_, place) =>

@@ -64,20 +64,18 @@ def _payload(opened: Opened, part: Section) -> Iterator[Region]:
         yield from _numbers(opened.data, part, part.start + 2, COUNTS)
     elif part.tag == "POSN" and positions is PositionCoding.LATTICE:
         names = ("exponent", *(f"low {a}" for a in AXES), *(f"extent {a}" for a in AXES))
-        yield from _numbers(opened.data, part, part.start, (*names, "number of bits"), bits=True)
+        yield from _numbers(opened.data, part, part.start, (*names, "number of bits"))
     elif part.tag == "POSN":
         width = 4 if positions is PositionCoding.EXACT_F32 else 8
         for k, start in enumerate(range(part.start, part.stop, width)):
             what = f"vertex {k // 3}, axis {AXES[k % 3]}"
             yield Region(start, min(start + width, part.stop), part.tag, what)
     else:
-        yield from _numbers(opened.data, part, part.start, ("number of bits",), bits=True)
+        yield from _numbers(opened.data, part, part.start, ("number of bits",))
 
 
-def _numbers(
-    data: bytes, part: Section, start: int, names: tuple[str, ...], *, bits: bool = False
-) -> Iterator[Region]:
-    """Numbers of variable length one after another, and perhaps bits up to the end."""
+def _numbers(data: bytes, part: Section, start: int, names: tuple[str, ...]) -> Iterator[Region]:
+    """Numbers of variable length one after another; what is left of the payload are its bits."""
     layout, window = varint(64), Window(data, part.stop, part.tag)
     for name in names:
         read = layout.read(window, start)
@@ -86,4 +84,4 @@ def _numbers(
         yield Region(start, read.value.offset, part.tag, name)
         start = read.value.offset
     if start < part.stop:
-        yield Region(start, part.stop, part.tag, BITS if bits else "unknown")
+        yield Region(start, part.stop, part.tag, BITS)

@@ -20,8 +20,8 @@ def of_file(right: form.FileForm, got: form.FileForm) -> Divergence | None:
     region = region_at(anatomy(expected), i)
     within = f" of {region.section}" if region is not None and region.section else ""
     meaning = f": {region.meaning}" if region is not None else ""
-    bit = _bit(expected, given, region, i)
-    group = None if bit is None else _written(expected, region, bit)
+    bit = None if region is None else _bit(expected, given, region, i)
+    group = _written(expected, bit) if bit is not None and within == " of WORD" else None
     return Divergence(
         kind=f"byte{within}",
         place=f"byte {i}{within}{meaning}"
@@ -35,17 +35,17 @@ def of_file(right: form.FileForm, got: form.FileForm) -> Divergence | None:
     )
 
 
-def _bit(right: bytes, got: bytes, region: Region | None, i: int) -> int | None:
+def _bit(right: bytes, got: bytes, region: Region, i: int) -> int | None:
     """Which of a section's bits it is, where the byte is one of those in both files."""
-    if region is None or region.meaning != BITS or i >= len(got):
+    if region.meaning != BITS or i >= len(got):
         return None
     return 8 * (i - region.start) + 8 - (right[i] ^ got[i]).bit_length()
 
 
-def _written(data: bytes, region: Region | None, bit: int) -> Group | None:
+def _written(data: bytes, bit: int) -> Group | None:
     """The symbol that a bit of WORD is written at, where that is known. ORCL-DIVERGE-3."""
     contents = parse(data)
-    if region is None or region.section != "WORD" or isinstance(contents, Rejected):
+    if isinstance(contents, Rejected):
         return None
     groups = groups_of_word(contents.value.code, contents.value.stream)
     return next((group for group in groups if group.start <= bit < group.stop), None)

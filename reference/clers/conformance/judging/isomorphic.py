@@ -45,16 +45,23 @@ def _divergence(
     differences: tuple[Difference, ...], right: form.MeshForm, got: form.MeshForm
 ) -> Divergence:
     first = differences[0]
-    rest = "".join(f"; also {other.line()}" for other in differences[1:])
+    rest = "".join(f"; also {_named(other)}" for other in differences[1:])
+    detail = f", {first.detail}" if first.detail else ""
     at = first.at if first.of is Of.SENT else WHOLE
+    where = "" if first.at == WHOLE else f", {in_words(first.at)} of the one {first.of}"
     return Divergence(
         kind=str(first.kind),
-        place=f"the mesh, {in_words(first.at)} of the one {first.of}",
+        place=f"the mesh{where}",
         expected=_counted(right),
-        got=f"{_counted(got)}: {first.line()}{rest}",
+        got=f"{_counted(got)}: {_named(first)}{detail}{rest}",
         face=at.face if isinstance(at, AtFace) else UNSET,
         vertex=at.vertex if isinstance(at, AtVertex) else UNSET,
     )
+
+
+def _named(difference: Difference) -> str:
+    """A difference, and how often it is there."""
+    return f"{difference.kind} ({difference.count})"
 
 
 def _counted(of: form.MeshForm) -> str:

@@ -1,18 +1,20 @@
 """What a case needs that an adapter does not have. Clauses: ORCL-CASE-4, ORCL-JUDGE-6."""
 
-from clers.conformance.cases.case import Case
-from clers.conformance.messages import Caps, Introduction
+from clers.conformance.cases.case import Case, operation_of
+from clers.conformance.messages import Caps, Introduction, Roundtrip
+from clers.conformance.payloads import Places
 
 
 def needs(case: Case, said: Introduction) -> str | None:
     """The first capability that the case needs and the adapter does not declare, if any.
 
-    Looked for in this order: the operation, what the case requires as it is listed, its size.
-    Clauses: ORCL-JUDGE-6, ORCL-JUDGE-8.
+    Looked for in this order: the operation, what the case requires as it is listed, the precision
+    of its positions, its size. Clauses: ORCL-JUDGE-6, ORCL-JUDGE-8, ORCL-CODEC-16.
     """
     if case.op not in said.ops:
         return case.op
-    lacking = next((name for name in case.requires if not declared(name, said.caps)), None)
+    required = (*case.requires, *_precision(case))
+    lacking = next((name for name in required if not declared(name, said.caps)), None)
     return _too_large(case, said.caps) if lacking is None else lacking
 
 
@@ -31,8 +33,18 @@ def declared(name: str, caps: Caps) -> bool:
             return code in caps.codes
         case ["coder", coder]:
             return coder in caps.coders
+        case ["positions", precision]:
+            return precision in caps.positions
         case _:
             return False
+
+
+def _precision(case: Case) -> tuple[str, ...]:
+    """The precision that a codec must keep, read off the input. Clause: ORCL-CODEC-16."""
+    operation = operation_of(case)
+    if isinstance(operation, Roundtrip) and isinstance(operation.input.positions, Places):
+        return (f"positions.{operation.input.positions.precision}",)
+    return ()
 
 
 def _too_large(case: Case, caps: Caps) -> str | None:

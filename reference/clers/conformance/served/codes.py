@@ -21,10 +21,7 @@ def encode(code: registry.CodeName, given: form.ToWord) -> Accepted[form.BitStri
 
 def decode(code: registry.CodeName, given: form.FromWord) -> Accepted[form.JustWord] | Rejected:
     """Bits to a word. Clause: ORCL-OP-6."""
-    seen = tuple(
-        Closing(from_wire(c.passed), Kind(c.kind), Side(c.side), from_wire(c.between))
-        for c in given.closings
-    )
+    seen = closings_of(given)
     word = and_then(
         bits_of(given.bits),
         lambda bits: registry.decode(
@@ -32,3 +29,11 @@ def decode(code: registry.CodeName, given: form.FromWord) -> Accepted[form.JustW
         ),
     )
     return and_then(word, lambda w: Accepted(form.JustWord(word=w)))
+
+
+def closings_of(given: form.FromWord) -> tuple[Closing, ...]:
+    """The handle data of a message, as it is seen from the end. Clauses: ORCL-OP-6, CODE-HAND-1."""
+    return tuple(
+        Closing(from_wire(c.passed), Kind(c.kind), Side(c.side), from_wire(c.between))
+        for c in given.closings
+    )

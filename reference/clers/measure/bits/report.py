@@ -1,12 +1,13 @@
 """Many meshes measured, with what is needed to measure them again."""
 
 import platform
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from math import exp, fsum, log
 from os import cpu_count
+from typing import assert_never
 
 from clers import __version__
 from clers.complexes.surface import Surface
@@ -42,25 +43,38 @@ Given = tuple[str, Accepted[Surface] | Rejected]
 STEPS = len(NAMES)
 
 
+Row = Measured | Refused
+"""What comes of a mesh."""
+
+
+def row(name: str, surface: Accepted[Surface] | Rejected, step: Callable[[str], None]) -> Row:
+    """Measure one mesh. Clause: TOOL-BITS-8."""
+    match surface:
+        case Accepted(value):
+            return measured(name, value, _of(name, step))
+        case Rejected() as rejected:
+            return Refused(name, rejected.line())
+        case _:
+            assert_never(surface)
+
+
 def report(given: Iterable[Given], step: Callable[[str], None]) -> Report:
     """Measure meshes, one after another. Clause: TOOL-BITS-8."""
-    rows: list[Measured] = []
-    refused: list[Refused] = []
-    for name, surface in given:
-        match surface:
-            case Accepted(value):
-                rows.append(measured(name, value, _of(name, step)))
-            case Rejected() as rejected:
-                refused.append(Refused(name, rejected.line()))
+    return assembled([row(name, surface, step) for name, surface in given])
+
+
+def assembled(found: Sequence[Row]) -> Report:
+    """The report on meshes that were measured. Clauses: TOOL-BITS-7, TOOL-BITS-8."""
+    rows = tuple(mesh for mesh in found if isinstance(mesh, Measured))
     return Report(
         __version__,
         platform.python_version(),
         f"{platform.machine()}, {cpu_count()} cores",
         datetime.now(UTC).date().isoformat(),
         {package: _version(package) for package in sorted({p.package for p in PEERS} - {""})},
-        tuple(rows),
-        geometric_mean([row.ratio for row in rows if row.ratio is not None]),
-        tuple(refused),
+        rows,
+        geometric_mean([mesh.ratio for mesh in rows if mesh.ratio is not None]),
+        tuple(mesh for mesh in found if isinstance(mesh, Refused)),
     )
 
 

@@ -2,10 +2,13 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 from clers.conformance import payloads as form
 from clers.conformance.messages import Failure, Lacking, Rejection
 from clers.conventions.reason import Fault
+
+Precision = Literal["f32", "f64"]
 
 Answer = form.MeshForm | Rejection | Lacking | Failure
 """The mesh that came back; or the codec refuses it, or cannot keep within the error, or fails."""
@@ -13,9 +16,9 @@ Answer = form.MeshForm | Rejection | Lacking | Failure
 
 @dataclass(frozen=True, slots=True)
 class Codec:
-    """A name, a version, a language, how it is set up in words, and the way there and back.
+    """A name, a version, a language, the way there and back; how it is set up in words, and what
 
-    Clause: ORCL-CODEC-9.
+    precisions it keeps. Clauses: ORCL-CODEC-9, ORCL-CODEC-16.
     """
 
     name: str
@@ -23,6 +26,7 @@ class Codec:
     language: str
     through: Callable[[form.ThroughForm], Answer]
     policy: Mapping[str, str] = field(default_factory=dict)
+    precisions: tuple[Precision, ...] = ("f32", "f64")
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,7 +34,8 @@ def draco(method: str, quantization: int | None) -> Codec | Missing:
         return Missing("DracoPy is not installed: pip install 'clers[peers]'")
     bits = "from the error" if quantization is None else str(quantization)
     through = partial(_through, LEVELS[method], quantization)
-    return Codec("draco", f"DracoPy {number}", "c++", through, {"method": method, "bits": bits})
+    policy = {"method": method, "bits": bits}
+    return Codec("draco", f"DracoPy {number}", "c++", through, policy, ("f32",))
 
 
 def promise(places: Places, bits: int) -> float:

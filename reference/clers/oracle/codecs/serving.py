@@ -32,7 +32,7 @@ def introduction(codec: Codec) -> message.Introduction:
         codec.version,
         codec.language,
         ("echo", "codec.roundtrip"),
-        CAPS,
+        msgspec.structs.replace(CAPS, positions=codec.precisions),
         dict(codec.policy),
     )
 

@@ -75,7 +75,7 @@ def picture(
 def headed(divergence: Divergence) -> str:
     """What was expected and got, as far as it has room over a picture."""
     if not divergence.expected:
-        return cut(f"to blame: {divergence.place}")
+        return cut(f"the parent; to blame: {divergence.place}")
     return cut(f"expected {divergence.expected}, got {divergence.got}")
 
 

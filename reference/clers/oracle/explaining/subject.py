@@ -2,15 +2,15 @@
 
 from dataclasses import dataclass
 
-from clers.codes.closings import Closing, records
+from clers.codes.closings import records
 from clers.complexes.corner_table import surface
 from clers.complexes.face_list import FaceList
 from clers.complexes.surface import Surface
 from clers.conformance import messages as message
 from clers.conformance import payloads as form
 from clers.conformance.messages import Operation
-from clers.conformance.numbers import from_wire
 from clers.conformance.results import Result
+from clers.conformance.served.codes import closings_of
 from clers.conformance.served.forms import mesh_of, stream_of, surface_of
 from clers.container import file
 from clers.conventions.clause import Clause
@@ -19,7 +19,7 @@ from clers.conventions.result import Accepted, Rejected, and_then
 from clers.edgebreaker.decode import decode
 from clers.edgebreaker.encode import encode
 from clers.edgebreaker.outline import outline
-from clers.edgebreaker.stream import Encoding, Kind, Side, Stream
+from clers.edgebreaker.stream import Encoding, Stream
 from clers.geometry.mesh import Mesh
 from clers.operators.families import AnyScript, read, stages
 
@@ -100,11 +100,7 @@ def _of_word(given: form.FromWord, word: str) -> Accepted[Subject] | Rejected:
     """A word with what is known of its handle data from the end. Clause: CODE-HAND-3."""
     if not set(word) <= set("CLERS"):
         return _none("the answer is no word")
-    seen = tuple(
-        Closing(from_wire(c.passed), Kind(c.kind), Side(c.side), from_wire(c.between))
-        for c in given.closings
-    )
-    known = records(word, seen)
+    known = records(word, closings_of(given))
     return and_then(
         known, lambda found: _of_stream(Stream(word, found, given.components_with_boundary))
     )

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 import msgspec
 from msgspec import UnsetType
 
-from clers.codes.closings import Closing, records
+from clers.codes.closings import records
 from clers.conformance import messages as message
 from clers.conformance import payloads as form
 from clers.conformance.cases.case import Case
@@ -14,14 +14,13 @@ from clers.conformance.judging.bits import bits_in
 from clers.conformance.judging.groups import Group, groups_of, groups_of_word
 from clers.conformance.judging.steps import walk_of
 from clers.conformance.messages import Operation, Step
-from clers.conformance.numbers import from_wire
 from clers.conformance.results import Result
-from clers.conformance.served.codes import named
+from clers.conformance.served.codes import closings_of, named
 from clers.container.head import CODES, PositionCoding
 from clers.container.layout import Window
 from clers.container.numbers import varint
 from clers.conventions.result import Accepted
-from clers.edgebreaker.stream import Kind, Side, Stream
+from clers.edgebreaker.stream import Stream
 from clers.oracle.explaining.explanation import Table
 
 WALK = ("step", "symbol", "face", "gate", "apex", "stack", "χ", "new vertices", "records")
@@ -86,7 +85,7 @@ def _known(number: int | UnsetType) -> str:
 def _bits(groups: Sequence[Group], digits: str) -> tuple[Table, ...]:
     if not groups:
         return ()
-    rows = tuple((_number(g), g.name or "end", digits[g.start : g.stop] or "–") for g in groups)
+    rows = tuple((_number(g), g.name, digits[g.start : g.stop] or "–") for g in groups)
     return (Table(title="the bits", heads=BITS, rows=rows),)
 
 
@@ -96,11 +95,7 @@ def _number(group: Group) -> str:
 
 def _groups_read(given: form.FromWord, word: str) -> Sequence[Group]:
     """The groups of a word that was read. Clause: CODE-HAND-3."""
-    seen = tuple(
-        Closing(from_wire(c.passed), Kind(c.kind), Side(c.side), from_wire(c.between))
-        for c in given.closings
-    )
-    known = records(word, seen)
+    known = records(word, closings_of(given))
     if not isinstance(known, Accepted):
         return ()
     return groups_of_word(

@@ -1,6 +1,6 @@
 """Mutants that a tool draws, beside the cases: what did nobody think of? ORCL-MUTANT-7."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -64,7 +64,9 @@ def able(drawn: Drawn, lines: Lines, count: int) -> tuple[int, ...]:
     return tuple(range(count)) if ON_IMPORT in at else tuple(sorted(at))
 
 
-def run(of: Sample, known: Reached, folder: Path, count: int, workers: int) -> Iterator[Found]:
+def run(
+    of: Sample, known: Reached, folder: Path, count: int, workers: int
+) -> Generator[Found, None, None]:
     """The fate of each drawn mutant, in order, as it is known. Clause: ORCL-MUTANT-7."""
     items = [
         Item(
@@ -86,15 +88,16 @@ def run(of: Sample, known: Reached, folder: Path, count: int, workers: int) -> I
             )
 
 
-def try_one(item: Item) -> Tried:
+def try_one(item: Item) -> Iterator[Tried]:
     """One source beside the cases that execute what is other in it. Clause: ORCL-MUTANT-7."""
     if not item.cases:
-        return Tried(Fate.UNREACHED, 0)
+        yield Tried(Fate.UNREACHED, 0)
+        return
     every = cases_of(item.folder)
     with TemporaryDirectory() as place:
         file = Path(place) / "source.py"
         file.write_text(item.source, encoding="utf-8")
-        return tried((item.module, str(file)), mixed([every[number] for number in item.cases]))
+        yield tried((item.module, str(file)), mixed([every[number] for number in item.cases]))
 
 
 def mixed(cases: Sequence[Case]) -> tuple[Case, ...]:

@@ -1,6 +1,6 @@
 """Many mutants over the cases of a suite, some at a time."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import lru_cache
@@ -24,7 +24,7 @@ class Item:
     folder: str
 
 
-def run(names: Sequence[str], folder: Path, workers: int) -> Iterator[Tried]:
+def run(names: Sequence[str], folder: Path, workers: int) -> Generator[Tried, None, None]:
     """The fate of each mutant, in order, as it is known. Clause: ORCL-MUTANT-3.
 
     Close it to end what still runs.
@@ -35,9 +35,9 @@ def run(names: Sequence[str], folder: Path, workers: int) -> Iterator[Tried]:
             yield Tried(Fate.LOST, 0, why=found.why) if isinstance(found, Lost) else found
 
 
-def try_one(item: Item) -> Tried:
+def try_one(item: Item) -> Iterator[Tried]:
     """One mutant beside the cases, the likely killers first. ORCL-MUTANT-2 … ORCL-MUTANT-4."""
-    return tried([item.name], in_order(cases_of(item.folder), BY_NAME[item.name]))
+    yield tried([item.name], in_order(cases_of(item.folder), BY_NAME[item.name]))
 
 
 @lru_cache(maxsize=1)

@@ -107,14 +107,6 @@ MUTANTS: Final = (
         "The last loop is glued to the first triangle in the wrong turn.",
     ),
     Mutant(
-        "open-loop-accepted",
-        Clause.EB_GRAMMAR_8,
-        REVERSI,
-        "if self.opposite[edge] == BORDER and not curve[edge]:",
-        "if self.opposite[edge] == BORDER and not curve[edge] and part.closed:",
-        "A loop that nothing closes is taken for a boundary curve.",
-    ),
-    Mutant(
         "long-last-loop",
         Clause.EB_GRAMMAR_8,
         REVERSI,
@@ -198,14 +190,6 @@ MUTANTS: Final = (
                 continue
 """,
         "The vertex that a C makes gets no name.",
-    ),
-    Mutant(
-        "star-turned-once",
-        Clause.EB_ORDER_1,
-        LABEL,
-        "while d != BORDER and vertex[c := previous_corner(d)] == UNNAMED:",
-        "while d < BORDER and vertex[c := previous_corner(d)] == UNNAMED:",
-        "At the border the star of a vertex is walked in one direction only.",
     ),
     Mutant(
         "double-edge-accepted",

@@ -62,14 +62,6 @@ MUTANTS: Final = (
         "Positions are put in the inverse of the order of creation.",
     ),
     Mutant(
-        "faces-turned-over",
-        Clause.GEOM_ORDER_3,
-        ORDER,
-        "(tip, next_corner(tip), previous_corner(tip))",
-        "(tip, previous_corner(tip), next_corner(tip))",
-        "Faces are turned over where they are put in order.",
-    ),
-    Mutant(
         "halves-to-even",
         Clause.GEOM_LATTICE_2,
         LATTICE,
@@ -188,14 +180,6 @@ MUTANTS: Final = (
         "q - prediction(surface, corners[i // 3], i // 3, i % 3, indices, box.extent[i % 3])",
         "prediction(surface, corners[i // 3], i // 3, i % 3, indices, box.extent[i % 3]) - q",
         "Residuals have the wrong sign.",
-    ),
-    Mutant(
-        "index-outside-box",
-        Clause.GEOM_RESIDUAL_2,
-        PREDICT,
-        "if not 0 <= q <= extent:",
-        "if not 0 <= q:",
-        "An index over the extent is accepted.",
     ),
     Mutant(
         "loose-box-accepted",

@@ -11,6 +11,7 @@ from clers.conformance.cases.case import Case
 from clers.oracle.negatives import (
     codes,
     files,
+    from_mutants,
     grammar,
     limits,
     meshes,
@@ -33,6 +34,7 @@ FAMILIES: Final[Mapping[str, Callable[[], Iterable[Draft]]]] = {
     "limits": limits.drafts,
     "meshes": meshes.drafts,
     "scripts": scripts.drafts,
+    "from mutants": from_mutants.drafts,
 }
 """Each family by its name."""
 

@@ -80,11 +80,14 @@ def before(end: Partial) -> Iterator[Partial]:
 
 
 def _recorded(end: Partial, gate: int, others: list[Loop], rest: Loop) -> Iterator[Partial]:
-    """The S with a record. Clauses: EB-REVERSI-2, EB-GRAMMAR-6, EB-GRAMMAR-7."""
+    """The S with a record. Clauses: EB-REVERSI-2, EB-GRAMMAR-6, EB-GRAMMAR-7.
+
+    All edges of a gate's loop are of its branch. Those of a loop beside may be of a later one.
+    """
     p, word = gate // 3, "S" + end.word
     for i in range(1, len(rest) - 1):  # neither neighbour of the gate
         side = _closable(end.word, rest[i])
-        if side is None or rest[i] // 3 < end.ends[-1]:
+        if side is None:
             continue
         gates, cut = (*others, (gate, *rest[:i])), rest[i + 1 :]
         closed = Closed(Kind.HANDLE, p, rest[i] // 3, side)

@@ -75,7 +75,7 @@ def declared(ball: Draft) -> Iterator[Draft]:
     for kind, at, number, reason, clause in rows:
         yield bad(
             ball, kind, field(file, at, varint(number)), reason, clause, sealed=True,
-            flags=("size-trusted",), requires=("boundaries.many",) if at == 4 else (),
+            flags=("size-trusted",), requires=("boundaries.many", "components") if at == 4 else (),
             size=number if number in BORNE else 0,
         )  # fmt: skip
     torus, annulus = by_hand.TORUS, by_hand.ANNULUS

@@ -1,8 +1,9 @@
 """What may be wrong behind the seals of HAND, WORD and POSN. Chapters 5 to 8."""
 
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Final
 
 from clers.conformance.cases.case import Edit
 from clers.conventions.clause import Clause
@@ -33,7 +34,19 @@ def drafts() -> Iterator[Draft]:
         draft = parent(slug, file, ("reader-knows-one-writer",))
         yield draft
         for kind, edits, reason, clause, flag in rows(file):
-            yield bad(draft, kind, edits, reason, clause, sealed=True, flags=(flag,))
+            yield bad(
+                draft, kind, edits, reason, clause, sealed=True, flags=(flag,),
+                requires=NEEDS.get(kind, ()),
+            )  # fmt: skip
+
+
+NEEDS: Final[Mapping[str, tuple[str, ...]]] = {
+    "word-cee": ("components",),
+    "word-cer": ("components",),
+    "handle-for-curve": ("handles",),
+    "curve-in-closed-surface": ("boundaries.many",),
+}
+"""What a fault speaks of that its parent does not, by its kind. Clause: ORCL-CASE-4."""
 
 
 def words_of_ball(file: File) -> Iterator[Row]:

@@ -215,6 +215,10 @@ SCRIPTS: Final[tuple[tuple[str, str, tuple[Row, ...]], ...]] = (
         ("no-edge", f"{EDGE}; contract 0 / 3", R.MISSING_SIMPLEX, C.OPER_CONTRACT_1),
         ("to-itself", f"{EDGE}; contract 0 / 0", BO, C.OPER_MOVE_2),
     )),
+    ("whisker", "attach 0 1 2; attach 2 3 / 2; collapse 3 / 2 3", (
+        ("drawn-in", "attach 0 1 2; attach 2 3 / 2; contract 2 / 3", R.WRONG_LINK,
+         C.OPER_CONTRACT_5),
+    )),
     ("split", f"{EDGE}; split 0 / 4 / 1, 1 2 / 1", (
         ("vertex-is-there", f"{EDGE}; split 0 / 3 / 1, 1 2 / 1", R.PRESENT_SIMPLEX,
          C.OPER_CONTRACT_4),

@@ -161,17 +161,17 @@ def changed(parent: Draft, stream: Stream) -> Iterator[Draft]:
     seen: Counter[tuple[str, str, str]] = Counter()
     for ways in (word_changes(stream.word), record_changes(stream), count_changes(stream)):
         for kind, edit in ways:
-            draft = spoilt(parent, kind, (edit,), requires=_asked(edit))
+            draft = spoilt(parent, kind, (edit,))
             reject = draft.case.reject
             if isinstance(reject, UnsetType):
-                yield from survived(draft)
+                yield from survived(stream_in(draft))
                 continue
             way = kind.partition("-")[2] if edit.path == "/word" else kind
             alike = (way, reject.reason, reject.clause)
             seen[alike] += 1
             if seen[alike] <= KEPT:
-                flags = (FLAG_OF[reject.reason],)
-                yield draft._replace(case=msgspec.structs.replace(draft.case, flags=flags))
+                flags, needs = (FLAG_OF[reject.reason],), spoken_of(stream_in(draft))
+                yield spoilt(parent, kind, (edit,), requires=needs, flags=flags)
 
 
 FLAG_OF: Final[Mapping[str, str]] = {
@@ -192,26 +192,43 @@ FLAG_OF: Final[Mapping[str, str]] = {
 """The mistake that a stream rejected for this reason brings to light. Clause: ORCL-FLAG-1."""
 
 
-def survived(draft: Draft) -> Iterator[Draft]:
+def survived(stream: Stream) -> Iterator[Draft]:
     """A changed stream that some surface has after all, under its own word. EB-DECODE-2."""
-    given = msgspec.json.decode(draft.case.input, type=form.StreamForm)
-    stream = stream_of(given)
     found = accepted(f"changed-{stream.word.lower()}", stream, origin="grammar")
     if found is not None:
         yield found
 
 
-def _asked(edit: Edit) -> tuple[str, ...]:
-    """What a change asks of an adapter beyond the parent. Clause: ORCL-CASE-4."""
-    match msgspec.json.decode(edit.insert):
-        case [{"kind": "handle"}]:
-            return ("handles",)
-        case [{"kind": "boundary"}]:
-            return ("boundaries.many",)
-        case "handle":
-            return ("handles",)
-        case _:
-            return ()
+def stream_in(draft: Draft) -> Stream:
+    """The stream that a case asks to decode."""
+    return stream_of(msgspec.json.decode(draft.case.input, type=form.StreamForm))
+
+
+def spoken_of(stream: Stream) -> tuple[str, ...]:
+    """What a stream speaks of, good or bad: who does not do that may say so. Clause: ORCL-CASE-4.
+
+    The components are counted as EB-GRAMMAR-3 counts them.
+    """
+    recorded = {record.s for record in stream.records}
+    depth, splits, several = 1, 0, False
+    for symbol in stream.word:
+        several |= depth == 0
+        depth += depth == 0
+        if symbol == "S":
+            depth += splits not in recorded
+            splits += 1
+        elif symbol == "E":
+            depth -= 1
+    boundaries = stream.components_with_boundary
+    kinds = [record.kind for record in stream.records]
+    curves = max(boundaries, 0) + kinds.count(Kind.BOUNDARY)
+    needed = {
+        "boundaries.many": curves > 1,
+        "boundaries.one": curves == 1,
+        "components": boundaries > 1 or several,
+        "handles": Kind.HANDLE in kinds,
+    }
+    return tuple(name for name, is_needed in needed.items() if is_needed)
 
 
 def drafts() -> Iterator[Draft]:

@@ -6,6 +6,7 @@ from typing import Final
 from clers.oracle.positives.asked import Asked
 from clers.oracle.positives.echoes import echoes
 from clers.oracle.positives.exhaustive import exhaustive
+from clers.oracle.positives.from_mutants import from_mutants
 from clers.oracle.positives.meshes import files, roundtrips
 from clers.oracle.positives.messages import messages
 from clers.oracle.positives.scripts import scripts
@@ -28,5 +29,6 @@ FAMILIES: Final[Mapping[str, Callable[[Inputs], Iterator[Asked]]]] = {
     "operators": lambda _: scripts(),
     "files": files,
     "roundtrips": roundtrips,
+    "from mutants": lambda _: from_mutants(),
 }
 """Each family by its name, a function of what is stored literally."""

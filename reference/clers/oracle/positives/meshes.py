@@ -31,6 +31,10 @@ _FILE: Final = (
     Clause.FILE_HEAD_2,
     Clause.FILE_HEAD_3,
     Clause.FILE_WORD_1,
+    Clause.FILE_LAYOUT_4,
+    Clause.FILE_NUMBER_2,
+    Clause.FILE_NUMBER_3,
+    Clause.FILE_BITS_1,
 )
 _KEPT: Final = (
     Clause.GEOM_EXACT_1,
@@ -50,6 +54,7 @@ _QUANTISED: Final = (
     Clause.GEOM_CODE_3,
     Clause.GEOM_CODE_4,
     Clause.FILE_POSN_2,
+    Clause.FILE_NUMBER_4,
 )
 
 
@@ -88,7 +93,7 @@ def filed(
     stream = encode(of.surface).stream
     clauses = (
         *_FILE,
-        *([Clause.FILE_HAND_1] if stream.records else []),
+        *([Clause.FILE_HAND_1, Clause.CODE_HAND_4] if stream.records else []),
         *(of_positions if of.positions is not None else ()),
     )
     slug = f"{of.slug}-{code}" if of.positions is None else f"{of.slug}-{code}-{word}"
@@ -100,8 +105,8 @@ def filed(
     )  # fmt: skip
     yield Asked(
         slug, "mesh.decode", message.MeshDecode(id=0, input=file.value),
-        (*clauses, Clause.FILE_PARSE_1, Clause.FILE_ROUND_1), of.origin, requires, size, of.flags,
-        of.comment,
+        (*clauses, Clause.FILE_PARSE_1, Clause.FILE_ROUND_1, Clause.GEOM_ORDER_3), of.origin,
+        requires, size, of.flags, of.comment,
     )  # fmt: skip
 
 

@@ -130,6 +130,8 @@ _OF_MODEL: Final = {
 }
 _TO_BITS: Final = {
     "arithmetic": (
+        Clause.ARITH_BITS_1,
+        Clause.ARITH_BITS_2,
         Clause.ARITH_NARROW_1,
         Clause.ARITH_SHIFT_1,
         Clause.ARITH_SHIFT_2,

@@ -74,6 +74,7 @@ def by_rule() -> Iterator[Named]:
         *((f"strip-{count}", regular.strip(count)) for count in (2, 3, 10, 101)),
         ("sphere-with-two-holes", holed(regular.grid_sphere(2), 2)),
         ("sphere-with-many-holes", holed(regular.grid_sphere(5), 12)),
+        *((f"sphere-open-at-both-ends-{r}", open_at_both_ends(r)) for r in (2, 3, 5)),
         ("torus-with-one-hole", holed(regular.grid_torus(4, 5), 1)),
         ("torus-with-three-holes", holed(regular.grid_torus(6, 6), 3)),
         ("two-tori-with-holes", holed(regular.copies(regular.grid_torus(4, 4), 2), 4)),
@@ -85,6 +86,12 @@ def by_rule() -> Iterator[Named]:
         ),
     ):
         yield Named(slug, built(mesh), "generated")
+
+
+def open_at_both_ends(rings: int) -> FaceList:
+    """A sphere without its first face and its last: the walk reaches the other curve late."""
+    of = regular.grid_sphere(rings)
+    return FaceList(of.faces[1:-1], of.vertices)
 
 
 def kind_of(genus: int, curves: int, parts: int) -> str:

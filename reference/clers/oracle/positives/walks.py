@@ -48,6 +48,7 @@ def walked(stream: Stream, *, closed: bool) -> tuple[Clause, ...]:
     return (
         *([Clause.EB_COMPONENT_1, Clause.EB_COMPONENT_4] if with_boundary else []),
         *([Clause.EB_COMPONENT_2] if closed else []),
+        *([Clause.EB_COMPONENT_3] if closed and with_boundary else []),
         *(clause for symbol, clause in _OF_SYMBOL.items() if symbol in stream.word),
         *(
             [Clause.EB_TRAVERSE_7]
@@ -63,6 +64,11 @@ def walked(stream: Stream, *, closed: bool) -> tuple[Clause, ...]:
 def trace_of(surface: Surface) -> Trace:
     """Small surfaces have their trace in the case. Clause: ORCL-CASE-1."""
     return "full" if surface.faces <= TRACED else "none"
+
+
+def of_trace(surface: Surface) -> tuple[Clause, ...]:
+    """The clause of the trace, if there is one."""
+    return (Clause.EB_TRACE_1,) if surface.faces <= TRACED else ()
 
 
 def classified(named: Named) -> Asked:
@@ -100,7 +106,7 @@ def encoded(named: Named) -> Asked:
         named.slug,
         "word.encode",
         message.WordEncode(id=0, trace=trace_of(surface), input=faces_form(surface)),
-        walked(stream, closed=closed),
+        (*walked(stream, closed=closed), *of_trace(surface)),
         named.origin,
         needed(surface),
         surface.faces,
@@ -118,7 +124,7 @@ def decoded(named: Named) -> Asked:
         named.slug,
         "word.decode",
         message.WordDecode(id=0, trace=trace_of(surface), input=stream_form(stream)),
-        (Clause.EB_DECODE_1, *walked(stream, closed=closed), Clause.EB_ORDER_3),
+        (Clause.EB_DECODE_1, *walked(stream, closed=closed), Clause.EB_ORDER_3, *of_trace(surface)),
         named.origin,
         needed(surface),
         surface.faces,

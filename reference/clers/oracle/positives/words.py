@@ -59,6 +59,7 @@ def coded(code: CodeName, slug: str, surface: Surface, origin: Origin) -> Iterat
         raise AssertionError(f"{code} refuses {slug}")
     closed = stream.components_with_boundary == 0
     clauses = (
+        Clause.CODE_NAME_2,
         *OF_CODE[code],
         *([Clause.CODE_IMPLIED_1] if closed else []),
         *([Clause.CODE_HAND_1] if stream.records else []),

@@ -7,14 +7,16 @@ from typing import Final
 from msgspec import UNSET
 
 from clers.conformance.cases.case import Case
+from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.oracle.negatives import FLAGS as FLAGS_OF_NEGATIVES
 from clers.oracle.negatives import canaries, negatives
 from clers.oracle.positives.all_families import FAMILIES
 from clers.oracle.positives.asked import answered
 from clers.oracle.positives.flags import FLAGS
+from clers.oracle.positives.real import MESHES
 from clers.oracle.suite.adding import Found, shrunk
-from clers.oracle.suite.files import MANIFEST, Suite, read_bytes, read_unsealed
+from clers.oracle.suite.files import MANIFEST, Suite, fault, read_bytes, read_unsealed
 from clers.oracle.suite.profiles import profile_of
 from clers.oracle.suite.records import Flag
 from clers.oracle.suite.rendered import parts_of, suite_files
@@ -82,8 +84,11 @@ def generate(
 ) -> Files | Unretired | Reused | Rejected:
     """The files of the suite; of the old one its score and what is retired are kept.
 
-    Rejected where a file of the inputs is none. Clauses: ORCL-SUITE-5, ORCL-SUITE-6.
+    Rejected where a file of the inputs is none, or the meshes of the corpus are not there.
+    Clauses: ORCL-SUITE-5, ORCL-SUITE-6.
     """
+    if not MESHES.is_dir():
+        return fault(Reason.UNREADABLE_FILE, str(MESHES), "not there: a checkout is needed")
     findings = shrunk(inputs)
     if isinstance(findings, Rejected):
         return findings

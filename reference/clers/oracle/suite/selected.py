@@ -12,7 +12,7 @@ from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.oracle.suite.files import MANIFEST, Suite, fault, read_bytes
 from clers.oracle.suite.rendered import suite_files
-from clers.oracle.suite.written import present, write_suite
+from clers.oracle.suite.written import write_suite
 
 ALL: Final = ""
 """Instead of a profile, operation, clause or flag: whatever it is."""
@@ -84,7 +84,7 @@ def copy_suite(
     The paths that were written. The inputs of generation and the mutation score come along with
     the whole suite only. Clause: ORCL-SUITE-9.
     """
-    if into.is_file() or present(into):
+    if into.exists() and (not into.is_dir() or any(into.iterdir())):
         return fault(Reason.UNWRITABLE_FILE, str(into), "it is not empty")
     if profiles:
         part = some_profiles(suite, profiles)

@@ -23,9 +23,9 @@ def differing(
 
     Clause: ORCL-SUITE-5.
     """
-    there = set(present(folder))
-    other = {path for path in files if path not in there or _bytes(folder, path) != files[path]}
-    return tuple(sorted(other | (there & set(stale) - set(files))))
+    other = {path for path in files if _bytes(folder, path) != files[path]}
+    left = {path for path in stale if path not in files and (folder / path).is_file()}
+    return tuple(sorted(other | left))
 
 
 def _bytes(folder: Path, path: str) -> bytes | None:

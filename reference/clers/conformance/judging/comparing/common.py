@@ -62,9 +62,7 @@ def common(sent: Soup, came: Soup, bound: Bound, budget: Budget) -> Named:
     there = [w for w, site in enumerate(other) if site == -1]
     strangers = not known and _in_faces(nets[0], here) and _in_faces(nets[1], there)
     if not known and not strangers:
-        rest = dict(zip(here, there, strict=False))
-        _name(rest, one, other)
-        pairs |= rest
+        _name(dict(zip(here, there, strict=False)), one, other)
     return Named(
         tuple(-2 - v if s == -1 else s for v, s in enumerate(one)),
         tuple(-2 - sent.vertices - w if s == -1 else s for w, s in enumerate(other)),

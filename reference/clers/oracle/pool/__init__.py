@@ -1,0 +1,1 @@
+"""Campaigns: one task over many items, on this machine or on a cluster, in order."""

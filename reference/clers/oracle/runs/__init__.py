@@ -1,0 +1,1 @@
+"""A suite against an adapter: what is asked, what came of it, and what was known before."""
