@@ -11,7 +11,7 @@ CLERS_KERNELS=interpreted none is.
 import sys
 from collections.abc import Sequence
 from hashlib import sha256
-from importlib.machinery import ModuleSpec
+from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import spec_from_file_location
 from os import environ
 from pathlib import Path
@@ -54,4 +54,5 @@ COMPILED: Final = _compiled()
 """Whether the kernels are machine code."""
 
 if not COMPILED:
-    sys.meta_path.insert(0, _Sources())
+    # Before those who would prefer machine code, after those who bring another source.
+    sys.meta_path.insert(sys.meta_path.index(PathFinder), _Sources())
