@@ -2,7 +2,9 @@
 
 import pytest
 
+from clers.arithmetic.bits import pack
 from clers.codes.closings import Closing, closings, records
+from clers.codes.registry import CodeName, decode
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -75,3 +77,21 @@ def test_closings_that_go_back_too_far(word: str, seen: tuple[Closing, ...], ind
     assert isinstance(refused, Rejected)
     assert (refused.reason, refused.clause) == (Reason.RECORD_OUT_OF_RANGE, Clause.CODE_HAND_3)
     assert refused.where == AtRecord(index)
+
+
+@pytest.mark.parametrize("code", list(CodeName))
+@pytest.mark.parametrize("seen", [Closing(-1, H, RIGHT, 0), Closing(0, H, RIGHT, -1)])
+def test_negative_closings_are_refused_by_every_code(code: CodeName, seen: Closing) -> None:
+    """CODE-HAND-3: the record is numbered as in the handle data, from the beginning."""
+    sound = Closing(0, H, RIGHT, 0)
+    found = decode(code, pack([0] * 9), 9, 0, (sound, seen, sound, sound))
+    assert isinstance(found, Rejected)
+    assert (found.reason, found.clause) == (Reason.RECORD_OUT_OF_RANGE, Clause.CODE_HAND_3)
+    assert found.where == AtRecord(2)
+
+
+def test_closings_as_far_as_numbers_go() -> None:
+    """CODE-CONTEXT-3: an S that no closing can close is none, however far it goes back."""
+    near = decode(CodeName.CONTEXT, pack([0] * 9), 9, 1, (Closing(9, H, RIGHT, 9),))
+    far = decode(CodeName.CONTEXT, pack([0] * 9), 9, 1, (Closing(10**40, H, RIGHT, 10**40),))
+    assert near == far

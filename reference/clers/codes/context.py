@@ -29,6 +29,9 @@ ORDER: Final = "CRLES"
 DECISIONS: Final = {"C": (1,), "R": (0, 1), "L": (0, 0, 1), "E": (0, 0, 0, 1), "S": (0, 0, 0, 0)}
 """Is it C? R? L? E? Clause: CODE-CONTEXT-1."""
 
+FAR: Final = 1 << 62
+"""No word has so many symbols or edges."""
+
 _ALPHABET: Final = frozenset(ORDER)
 _NUMBERS: Final = bytes.maketrans(ORDER.encode(), bytes(range(len(ORDER))))
 _LETTERS: Final = bytes.maketrans(bytes(range(len(ORDER))), ORDER.encode())
@@ -41,9 +44,9 @@ def foretelling(shape: Shape) -> Foretelling:
     """What is foretold before the first decision. Clauses: CODE-CONTEXT-2 … CODE-CONTEXT-7."""
     seen = shape.closings
     loops = Loops(
-        vec[i64](closing.passed for closing in seen),
+        vec[i64](min(closing.passed, FAR) for closing in seen),
         vec[i64](int(closing.side is Side.LEFT) for closing in seen),
-        vec[i64](closing.between for closing in seen),
+        vec[i64](min(closing.between, FAR) for closing in seen),
     )
     return Foretelling(loops, _STRETCH, _SQUASH, _RATE)
 

@@ -22,6 +22,7 @@ from clers.codes.implied import coded_part, implied
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
+from clers.conventions.where import AtRecord
 from clers.edgebreaker.stream import Stream
 
 
@@ -86,8 +87,12 @@ def decode(
 ) -> Accepted[str] | Rejected:
     """The word of `symbols` symbols, with the handle data as it is seen from the end.
 
-    Rejects bits no encoder writes. Clauses: CODE-NAME-1, CODE-NAME-2, CODE-IMPLIED-2.
+    Rejects bits no encoder writes. Clauses: CODE-NAME-1, CODE-NAME-2, CODE-IMPLIED-2, CODE-HAND-3.
     """
+    negative = next((i for i, c in enumerate(seen) if min(c.passed, c.between) < 0), None)
+    if negative is not None:
+        where, detail = AtRecord(len(seen) - 1 - negative), "a negative number"
+        return Rejected(Reason.RECORD_OUT_OF_RANGE, Clause.CODE_HAND_3, where, detail)
     head = implied(components_with_boundary)
     count = symbols - len(head)
     if count < 0:
