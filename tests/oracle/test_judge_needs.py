@@ -35,6 +35,7 @@ def _with(**changes: object) -> Caps:
         ("boundaries.one", _with(boundaries="many")),
         ("boundaries.many", _with(boundaries="many")),
         ("code.king-rossignac", _with(codes=("plain", "king-rossignac"))),
+        ("code.with.dots", _with(codes=("with.dots",))),
         ("coder.rans", _with(coders=("rans",))),
     ],
 )
