@@ -83,7 +83,7 @@ def test_cases_that_match() -> None:
         (("components", "word.decode", "EB-DECODE-1", ""), ""),
         (("core", "", "", ""), "core"),
         (("", "echo", "", ""), "echo"),
-        (("", "", "EB-NONE-1", ""), "EB-NONE-1"),
+        (("", "", "NONE-SUCH-1", ""), "NONE-SUCH-1"),
         (("", "", "", "no-flag"), "no-flag"),
     ],
 )

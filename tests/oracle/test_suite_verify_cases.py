@@ -135,9 +135,9 @@ def test_what_is_retired_well(tmp_path: Path) -> None:
     [
         ({"clauses": ()}, Clause.ORCL_CASE_1, "it names no clause"),
         (
-            {"clauses": ("EB-DECODE-1", "EB-NONE-1")},
+            {"clauses": ("EB-DECODE-1", "NONE-SUCH-1")},
             Clause.ORCL_CASE_1,
-            "no clause is named EB-NONE-1",
+            "no clause is named NONE-SUCH-1",
         ),
         (
             {"requires": ("components", "wings")},
