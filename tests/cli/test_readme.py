@@ -1,6 +1,7 @@
 """What the readme shows is what the program prints."""
 
 import re
+import shlex
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
@@ -19,14 +20,14 @@ def sessions() -> Iterator[tuple[str, str]]:
     for block in BLOCK.findall((ROOT / "README.md").read_text()):
         for piece in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:
             command, _, shown = piece.partition("\n")
-            yield command, shown.split("…")[0].strip()
+            yield command, shown.strip().removesuffix("…").strip()
 
 
 @pytest.mark.parametrize(("command", "shown"), list(sessions()), ids=lambda text: str(text)[:40])
 def test_the_readme_is_true(command: str, shown: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Every command that is shown; one that is cut off is shown from its beginning."""
     monkeypatch.chdir(ROOT)
-    program, *arguments = command.split()
+    program, *arguments = shlex.split(command)
     assert program == "clers"
     done = CliRunner().invoke(app, arguments)
     lines = [line.rstrip() for line in (done.stdout + done.stderr).splitlines()]

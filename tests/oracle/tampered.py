@@ -14,9 +14,22 @@ from clers.oracle.suite.files import DEFAULT, Suite, read_suite
 from clers.oracle.suite.records import Flag, Part, Retired, Score
 from clers.oracle.suite.rendered import parts_of, suite_files
 from clers.oracle.suite.retiring import slug_in
-from clers.oracle.suite.selected import some_profiles
 
 Change = Callable[[Case], Case]
+
+ENCODE = "word.encode"
+
+
+CRE = Case(
+    id="tetrahedron-cud5sz5x",
+    op="word.decode",
+    clauses=("EB-DECODE-1",),
+    origin="hand",
+    size=4,
+    input=Raw(b'{"word":"CRE","handles":[],"components_with_boundary":0}'),
+    ok=Raw(b'{"faces":[[0,1,2],[3,2,1],[0,3,1],[2,3,0]],"vertices":4}'),
+)
+"""A case that is written down by hand, with its true id."""
 
 
 @cache
@@ -30,19 +43,21 @@ def whole() -> Suite:
 @cache
 def base() -> Suite:
     """A few cases of the suite: of several components, some of them with a fault."""
-    some = some_profiles(whole(), ("components",))
-    kept = [
-        (part.profile, case)
-        for part in some.parts
+    cases = [
+        case
+        for part in whole().parts
+        if part.profile == "components" and part.op in ("word.decode", "surface.classify", ENCODE)
         for case in part.cases
-        if part.op != "word.encode" or case.size < 20
+        if case.size < (20 if part.op == ENCODE else 40)
     ]
-    chosen = [(profile, case) for profile, case in kept if case.size < 40]
-    parts = parts_of(chosen)
-    cases = [case for part in parts for case in part.cases]
-    used = {flag for case in (*cases, *some.canaries) for flag in case.flags}
-    flags = tuple(flag for flag in some.flags if flag.name in used)
-    return Suite(some.manifest, parts, flags, some.retired, some.canaries)
+    there = {case.id for case in cases}
+    kept = [
+        case for case in cases if isinstance(case.fault, UnsetType) or case.fault.parent in there
+    ]
+    parts = parts_of(("components", case) for case in kept)
+    used = {flag for case in (*kept, *whole().canaries) for flag in case.flags}
+    flags = tuple(flag for flag in whole().flags if flag.name in used)
+    return Suite(whole().manifest, parts, flags, whole().retired, whole().canaries)
 
 
 def keys(case: Case) -> frozenset[str]:

@@ -6,19 +6,20 @@ from math import inf
 
 import msgspec
 import pytest
+from msgspec import UNSET
 from planted_faults import FAULTS, SAID, bearing, planted
 
 from clers.complexes.topology import components
 from clers.conformance import payloads as form
 from clers.conformance.judging.judged import Status
 from clers.conformance.lines import request_in
-from clers.conformance.messages import Introduction, WordEncode
-from clers.conformance.outcome import NoProcess, Outcome
+from clers.conformance.messages import Introduction, Operation, Rejection, WordEncode
+from clers.conformance.outcome import Answered, Crash, Declined, NoProcess, Outcome
 from clers.conformance.serve import serve
 from clers.conformance.served.forms import stream_of, surface_of
 from clers.conformance.session import Asked
 from clers.container.file import decode as decode_file
-from clers.conventions.reason import Reason
+from clers.conventions.reason import Fault, Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.edgebreaker.decode import decode
 from clers.edgebreaker.stream import Stream
@@ -28,6 +29,7 @@ from clers.oracle.fuzz.families import Family, families
 from clers.oracle.fuzz.hunt import Event, First, Round, Small, hunt
 from clers.oracle.fuzz.shrinking.engine import Patience, alike, least
 from clers.oracle.fuzz.shrinking.sizes import measure, size_of
+from clers.oracle.fuzz.shrinking.smallest import TETRAHEDRON
 
 NO_BOUNDARY = bearing(boundaries="none")
 CONNECTED = bearing(boundaries="none", components=False)
@@ -232,3 +234,49 @@ def test_shrinking_ends_where_nobody_answers() -> None:
 def test_no_time_no_examples() -> None:
     """ORCL-FUZZ-3."""
     assert list(hunt(family(asking(serve), "word.encode"), 0, 5, -inf)) == []
+
+
+@pytest.mark.parametrize(
+    ("faces", "vertices", "reason", "left"),
+    [
+        (TETRAHEDRON, 4, None, ((0, 1, 2),)),
+        ((*TETRAHEDRON, (0, 1, 1)), 4, Reason.REPEATED_INDEX, ((0, 0, 0),)),
+        (TETRAHEDRON, 6, Reason.ISOLATED_VERTEX, ((0, 1, 2),)),
+    ],
+)
+def test_a_good_mesh_stays_good_and_a_bad_one_bad_in_its_way(
+    faces: tuple[tuple[int, int, int], ...],
+    vertices: int,
+    reason: Reason | None,
+    left: tuple[tuple[int, int, int], ...],
+) -> None:
+    """ORCL-SHRINK-1: where all fails alike, what is right to answer is still of the same kind."""
+    check = family(lambda _: Crash(-11, ""), "word.encode").check
+    start = WordEncode(id=0, input=form.Faces(faces=faces, vertices=vertices))
+    tried = check(start)
+    assert tried is not None
+    done = least(start, tried, check).operation.input
+    assert isinstance(done, form.Faces)
+    built = surface_of(done)
+    assert (built.reason if isinstance(built, Rejected) else None) is reason
+    assert len(done.faces) == len(left)
+
+
+def test_one_failure_does_not_become_another() -> None:
+    """ORCL-SHRINK-1, ORCL-FUZZ-4: all else is wrong too, and is a finding of its own."""
+
+    def fault(operation: Operation, outcome: Outcome) -> Outcome:
+        crashed = FAULTS["crashes-on-seven"](operation, outcome)
+        mirrored = Declined(Rejection(Fault.INVALID))
+        return mirrored if isinstance(crashed, Answered) else crashed
+
+    coming = hunt(family(planted(fault), "word.encode"), 0, 60, inf)
+    small = [event.least for event in coming if isinstance(event, Small)]
+    found = {
+        least.tried.judged.signature: measure(least.operation)[1]
+        for least in small
+        if least.tried.case.reject is UNSET
+    }
+    assert len(found) == 2
+    assert found["word.encode crash SIGSEGV"] == 6
+    assert found["word.encode fail invalid instead of a result"] == 1

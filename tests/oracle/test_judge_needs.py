@@ -35,6 +35,7 @@ def _with(**changes: object) -> Caps:
         ("boundaries.one", _with(boundaries="many")),
         ("boundaries.many", _with(boundaries="many")),
         ("code.king-rossignac", _with(codes=("plain", "king-rossignac"))),
+        ("code.with.dots", _with(codes=("with.dots",))),
         ("coder.rans", _with(coders=("rans",))),
     ],
 )
@@ -75,11 +76,11 @@ def test_sizes_are_borne_up_to_their_bound(op: str, bound: int, cap: str) -> Non
 
 
 @pytest.mark.parametrize("op", ["word.decode", "mesh.encode"])
-def test_words_and_files_have_symbols_too(op: str) -> None:
+def test_words_and_files_are_bounded_by_their_faces(op: str) -> None:
     """Clause: ORCL-JUDGE-8."""
     said = msgspec.structs.replace(POOR, caps=_with(max_faces=99, max_symbols=9))
-    assert needs(_case(op, 9), said) is None
-    assert needs(_case(op, 10), said) == "max_symbols"
+    assert needs(_case(op, 99), said) is None
+    assert needs(_case(op, 100), said) == "max_faces"
 
 
 def test_an_echo_has_no_size() -> None:

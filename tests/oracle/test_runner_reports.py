@@ -80,6 +80,9 @@ def test_a_block() -> None:
     )
     short = replace(said, texts={"ORCL-OP-1": "short"})
     assert list(blocks(short))[5] == f'CRASH {ECHOES[0].id}  echo  ORCL-OP-1 "short"'
+    for length, shown in ((60, "x" * 60), (61, "x" * 59 + "…")):
+        edge = replace(said, texts={"ORCL-OP-1": "x" * length})
+        assert list(blocks(edge))[5].endswith(f'ORCL-OP-1 "{shown}"')
     assert list(blocks(report(ruling(ECHOES[1], Status.PASS)))) == []
 
 

@@ -114,9 +114,9 @@ def test_right_answers_of_other_cases(some: tuple[Case, ...]) -> None:
 @pytest.mark.parametrize(
     "command",
     [
-        ("accepts_everything",),
-        ("rejects_everything", "invalid"),
-        ("rejects_everything", "malformed"),
+        ("accepts_all",),
+        ("rejects_all", "invalid"),
+        ("rejects_all", "malformed"),
     ],
     ids=" ".join,
 )
@@ -127,7 +127,7 @@ def test_who_looks_at_nothing(
     profiles = {case.id: part.profile for part in suite.parts for case in part.cases}
     judged = last_words(like_the_reference(*command), some)
     failed = {profiles[each.id] for each in judged if each.status is Status.FAIL}
-    rejecting = {"limits"} if command[0] == "rejects_everything" else set()
+    rejecting = {"limits"} if command[0] == "rejects_all" else set()
     assert failed | rejecting == {part.profile for part in suite.parts}
 
 
@@ -157,7 +157,7 @@ PASS, FLAKY, CRASH = {Status.PASS}, {Status.PASS, Status.FLAKY}, {Status.CRASH}
 PROTOCOL = {Status.PROTOCOL}
 PLUMBING: dict[str, tuple[Bounds, set[Status]]] = {
     "good": (SMALL, PASS),
-    "accepts_everything": (SMALL, PASS | FAIL),
+    "accepts_all": (SMALL, PASS | FAIL),
     "answers_twice": (SMALL, PROTOCOL),
     "changes_its_mind": (SMALL, {Status.ERROR}),
     "chats": (SMALL, PROTOCOL),
@@ -171,7 +171,7 @@ PLUMBING: dict[str, tuple[Bounds, set[Status]]] = {
     "leaves_a_child_and_crashes": (SMALL, CRASH),
     "loses_letters": (SMALL, PASS | FAIL),
     "reads_nothing": (HASTY, {Status.TIMEOUT}),
-    "rejects_everything": (SMALL, PASS | FAIL),
+    "rejects_all": (SMALL, PASS | FAIL),
     "starts_slowly": (SMALL, PASS),
     "stays_after_bye": (SMALL, PASS),
     "talks_back": (SMALL, PASS),

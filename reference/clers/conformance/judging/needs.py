@@ -58,5 +58,5 @@ def _too_large(case: Case, caps: Caps) -> str | None:
 
 
 FACED = frozenset(("surface", "operator", "word", "mesh", "codec"))
-LETTERED = frozenset(("arithmetic", "word", "code", "mesh"))
+LETTERED = frozenset(("arithmetic", "code"))
 """What is limited by faces, and what by symbols. Clause: ORCL-JUDGE-8."""

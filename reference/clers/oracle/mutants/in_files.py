@@ -171,6 +171,15 @@ MUTANTS: Final = (
         "Declared faces are not compared with the limit.",
     ),
     Mutant(
+        "room-for-what-is-declared",
+        Clause.FILE_COUNT_4,
+        HEAD,
+        "    if max(head.faces, head.symbols) > limits.faces:\n",
+        "    room = bytes(8 * max(head.faces, head.symbols))\n"
+        "    if len(room) > 512 * limits.faces:\n",
+        "Memory is taken for as many faces as are declared.",
+    ),
+    Mutant(
         "vertices-unlimited",
         Clause.FILE_LIMIT_2,
         HEAD,

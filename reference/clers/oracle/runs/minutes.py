@@ -8,9 +8,6 @@ from clers.oracle.reports.report import Ruling
 from clers.oracle.runs.events import Came, Event, Gap, Sang, Stopped
 from clers.oracle.runs.selection import Selected
 
-SUNG: Final = frozenset((Status.PASS, Status.XPASS))
-"""What a canary must not come to. Clause: ORCL-CHECK-11."""
-
 PLUMBING: Final = "echo"
 """The operation that shows nothing of an implementation. Clause: ORCL-CHECK-4."""
 
@@ -81,6 +78,11 @@ class Minutes:
             return f"{counts}: {lost}"
         return ""
 
+    @property
+    def sung(self) -> tuple[str, ...]:
+        """The canaries that passed, which none should. Clause: ORCL-CHECK-11."""
+        return tuple(judged.id for judged in self.canaries if judged.status is Status.PASS)
+
     def ending(self) -> tuple[Ending, str]:
         """What the run comes to, and why if it does not conform.
 
@@ -96,7 +98,6 @@ class Minutes:
             return Ending.DOES_NOT, f"{bad} of {len(results)} cases"
         if all(judged.status is Status.SKIP or judged.op == PLUMBING for judged in results):
             return Ending.DOES_NOT, "every case was skipped but those of echo"
-        sung = [judged.id for judged in self.canaries if judged.status in SUNG]
-        if sung:
-            return Ending.UNSOUND, f"wrong vectors passed: {', '.join(sung)}"
+        if self.sung:
+            return Ending.UNSOUND, f"wrong vectors passed: {', '.join(self.sung)}"
         return Ending.CONFORMS, ""

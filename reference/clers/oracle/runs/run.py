@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Generator, Sequence
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 from clers.conformance.cases.case import Case
@@ -54,15 +54,19 @@ def run(
                 return
     named = {case.id: case for case in cases}
     order = [named[name] for name in again(tuple(results.values()))]
-    alone = replace(plan, place=Local(1))  # they are few: no worker is worth its start
-    with closing(_told(alone, order)) as replays:
+    with closing(_alone(plan, order)) as replays:
         for found in replays:
-            judged = None if isinstance(found, Lost) else leak(results[found.judged.id], found)
+            judged = leak(results[found.judged.id], found)
             if judged is not None:
                 yield Came(judged, plan.hold(judged))
-    with closing(_told(alone, canaries)) as songs:
-        for found in songs:
-            yield Gap(found.why) if isinstance(found, Lost) else Sang(found.judged)
+    with closing(_alone(plan, canaries)) as songs:
+        yield from (Sang(found.judged) for found in songs)
+
+
+def _alone(plan: Plan, cases: Sequence[Case]) -> Generator[Result, None, None]:
+    """What came of a few cases, for which no worker is worth its start. Clause: ORCL-CHECK-6."""
+    for piece in pieces(plan.adapter, cases):
+        yield from ask_piece(piece)
 
 
 def ask_all(

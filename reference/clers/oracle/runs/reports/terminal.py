@@ -5,7 +5,7 @@ from typing import Final
 
 from clers.oracle.reports.grouped import Alike, grouped
 from clers.oracle.reports.report import Report
-from clers.oracle.runs.minutes import SUNG, Ending, Minutes
+from clers.oracle.runs.minutes import Ending, Minutes
 
 BLOCKS: Final = 20
 """Blocks that are printed. Clause: ORCL-REPORT-2."""
@@ -53,8 +53,7 @@ def tail(report: Report, minutes: Minutes) -> Iterator[str]:
     for why, count in report.skips().items():
         yield f"skipped {count}: {why}"
     if minutes.canaries:
-        sung = sum(judged.status in SUNG for judged in minutes.canaries)
-        yield f"canaries: {sung} of {len(minutes.canaries)} wrong vectors passed"
+        yield f"canaries: {len(minutes.sung)} of {len(minutes.canaries)} wrong vectors passed"
     ending, why = minutes.ending()
     counts = ", ".join(f"{count} {status}" for status, count in report.counts().items())
     who = f"{report.adapter.name} {report.adapter.version}"
