@@ -27,6 +27,7 @@ from clers.conventions.result import Accepted
 from clers.measure.mutation.mutant import Mutant as Drawn
 from clers.measure.mutation.outcome import Subject
 from clers.measure.mutation.sample import Drawn as DrawnMutant
+from clers.measure.mutation.served import source_file
 from clers.oracle.mutants.automatic import Sample, able, mixed, run, sample
 from clers.oracle.mutants.every import BY_NAME, MUTANTS
 from clers.oracle.mutants.likely import ASKED_OF, in_order
@@ -93,8 +94,9 @@ CASES = (ENCODE, DECODE, CLASSIFY, ISOLATED, PLAIN)
 def source(module: str) -> str:
     spec = find_spec(module)
     assert spec is not None
-    assert spec.origin is not None
-    return Path(spec.origin).read_text(encoding="utf-8")
+    file = source_file(spec)
+    assert file is not None
+    return file.read_text(encoding="utf-8")
 
 
 def written(folder: Path, cases: Sequence[Case]) -> Path:
@@ -224,10 +226,11 @@ def test_who_does_not_say_hello_is_stillborn(words: list[str], tmp_path: Path) -
 def test_a_module_that_cannot_be_imported_is_stillborn(tmp_path: Path) -> None:
     """Clauses: ORCL-MUTANT-3, ORCL-MUTANT-7."""
     file = tmp_path / "source.py"
-    file.write_text("raise ValueError\n")
-    assert tried(["clers.edgebreaker.encode", str(file)], [DECODE]).fate is Fate.STILLBORN
-    file.write_text(source("clers.edgebreaker.encode"))
-    assert tried(["clers.edgebreaker.encode", str(file)], CASES).fate is Fate.SURVIVED
+    for module in ("clers.edgebreaker.encode", "clers.kernels.walk", "clers.kernels"):
+        file.write_text("raise ValueError\n")
+        assert tried([module, str(file)], [DECODE]).fate is Fate.STILLBORN
+        file.write_text(source(module))
+        assert tried([module, str(file)], CASES).fate is Fate.SURVIVED
     # What the adapter itself uses cannot be exchanged any more.
     file.write_text(source("clers.oracle.mutants.mutant"))
     assert tried(["clers.oracle.mutants.mutant", str(file)], [DECODE]).fate is Fate.STILLBORN
@@ -326,7 +329,9 @@ def test_mutants_that_a_tool_makes(small: Path) -> None:
     """Clause: ORCL-MUTANT-7."""
     known = reached(small)
     assert isinstance(known, Reached)
-    assert {"clers.edgebreaker.encode", "clers.codes.plain"} < set(known.modules)
+    some = {"clers.edgebreaker.encode", "clers.codes.plain", "clers.kernels.walk"}
+    assert some < set(known.modules)
+    assert "clers.kernels" not in known.modules, "it only says how kernels are found"
     assert "clers.geometry.predict" not in known.modules, "no case needs it"
     suite = read_suite(small)
     assert isinstance(suite, Accepted)

@@ -73,4 +73,5 @@ def show(report: Report) -> None:
 if __name__ == "__main__":
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    os.environ["CLERS_KERNELS"] = "interpreted"  # as their text stands, changed or not
     typer.run(main)

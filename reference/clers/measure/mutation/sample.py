@@ -11,6 +11,7 @@ from typing import Final
 from clers.measure.mutation.mutant import Mutant
 from clers.measure.mutation.mutants import mutants
 from clers.measure.mutation.outcome import Subject
+from clers.measure.mutation.served import source_file
 from clers.measure.mutation.vocabulary import vocabulary
 
 JUDGES: Final = ("laws*", "given*")
@@ -37,12 +38,13 @@ def subjects(names: Sequence[str], without: Sequence[str]) -> tuple[Subject, ...
             spec = importlib.util.find_spec(name)
         except ModuleNotFoundError:
             spec = None
-        if spec is None or spec.origin is None:
+        file = None if spec is None else source_file(spec)
+        if spec is None or file is None:
             return name
         if spec.submodule_search_locations is None:
-            found[name] = _subject(name, Path(spec.origin))
+            found[name] = _subject(name, file)
             continue
-        folder = Path(spec.origin).parent
+        folder = file.parent
         for path in sorted(folder.rglob("*.py")):
             parts = path.relative_to(folder).with_suffix("").parts
             module = ".".join((name, *(part for part in parts if part != "__init__")))

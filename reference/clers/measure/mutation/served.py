@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from importlib.util import spec_from_file_location
+from pathlib import Path
 from types import ModuleType
 from typing import Final
 
@@ -47,6 +48,15 @@ class _Served(MetaPathFinder, Loader):
     def exec_module(self, module: ModuleType) -> None:
         """Run the source that stands for the module's own."""
         exec(compile(self._source, self._subject.path, "exec"), module.__dict__)
+
+
+def source_file(spec: ModuleSpec) -> Path | None:
+    """The file of a module's source; where machine code was made of it, beside that."""
+    if spec.origin is None:
+        return None
+    found = Path(spec.origin)
+    name = spec.name.rpartition(".")[2]
+    return found if found.suffix == ".py" else found.with_name(f"{name}.py")
 
 
 def serve(subject: Subject, source: str) -> None:

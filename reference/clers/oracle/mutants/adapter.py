@@ -8,12 +8,17 @@ python -m clers.oracle.mutants.adapter MODULE FILE   any module, its source read
 import sys
 from collections.abc import Sequence
 from importlib.util import find_spec
+from os import environ
 from pathlib import Path
+from typing import Final
 
 from clers.measure.mutation.outcome import Subject
-from clers.measure.mutation.served import serve
+from clers.measure.mutation.served import serve, source_file
 from clers.oracle.mutants.every import BY_NAME
 from clers.oracle.mutants.mutant import changed
+
+KERNELS: Final = "clers.kernels."
+"""Machine code of one calls that of others: it must not run where one is changed."""
 
 
 def main(words: Sequence[str]) -> str | None:
@@ -56,10 +61,14 @@ def _exchange(words: Sequence[str]) -> str | None:
 
 
 def _subject(module: str) -> Subject | None:
+    """A module to be changed. Of a kernel that means that all run as their text stands."""
+    if f"{module}.".startswith(KERNELS):
+        environ["CLERS_KERNELS"] = "interpreted"
     spec = None if module in sys.modules else find_spec(module)
-    if spec is None or spec.origin is None:
+    file = None if spec is None else source_file(spec)
+    if file is None:
         return None
-    return Subject(module, spec.origin, Path(spec.origin).read_text(encoding="utf-8"))
+    return Subject(module, str(file), file.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

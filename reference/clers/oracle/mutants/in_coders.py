@@ -6,6 +6,7 @@ from clers.conventions.clause import Clause
 from clers.oracle.mutants.mutant import Mutant
 
 CODER: Final = "clers.arithmetic.coder"
+INTERVAL: Final = "clers.kernels.interval"
 RANGE: Final = "clers.arithmetic.range_coder"
 RANS: Final = "clers.arithmetic.rans"
 BITS: Final = "clers.arithmetic.bits"
@@ -14,110 +15,99 @@ MUTANTS: Final = (
     Mutant(
         "lower-half-too-wide",
         Clause.ARITH_SHIFT_1,
-        CODER,
-        "            if high < HALF:\n                out.append(0)",
-        "            if high <= HALF:\n                out.append(0)",
+        INTERVAL,
+        "            if high < HALF:\n                self.out.append(0)",
+        "            if high <= HALF:\n                self.out.append(0)",
         "An interval that ends in the first number of the higher half is shifted as lower.",
     ),
     Mutant(
         "underflow-lost",
         Clause.ARITH_SHIFT_1,
-        CODER,
+        INTERVAL,
         """\
-            elif low >= QUARTER and high < _THREE_QUARTERS:
-                pending += 1
+            elif low >= QUARTER and high < THREE_QUARTERS:
+                self.pending += 1
 """,
         """\
-            elif low >= QUARTER and high < _THREE_QUARTERS and high < low:
-                pending += 1
+            elif low >= QUARTER and high < THREE_QUARTERS and high < low:
+                self.pending += 1
 """,
         "A central half is not shifted.",
     ),
     Mutant(
         "central-half-too-wide",
         Clause.ARITH_SHIFT_1,
-        CODER,
+        INTERVAL,
         """\
-            elif low >= QUARTER and high < _THREE_QUARTERS:
-                pending += 1
+            elif low >= QUARTER and high < THREE_QUARTERS:
+                self.pending += 1
 """,
         """\
-            elif low >= QUARTER and high <= _THREE_QUARTERS:
-                pending += 1
+            elif low >= QUARTER and high <= THREE_QUARTERS:
+                self.pending += 1
 """,
         "An interval that ends in the first number of the last quarter is shifted as central.",
     ),
     Mutant(
         "pending-not-reset",
         Clause.ARITH_SHIFT_2,
-        CODER,
-        """\
-                    out += b"\\1" * pending
-                    pending = 0
-""",
-        """\
-                    out += b"\\1" * pending
-""",
+        INTERVAL,
+        "                    self.repeat(1)\n",
+        '                    self.out.write(b"\\1" * self.pending)\n',
         "Pending bits are sent again.",
     ),
     Mutant(
         "pending-bits-alike",
         Clause.ARITH_SHIFT_2,
-        CODER,
-        "                    out += bytes(pending)\n",
-        '                    out += b"\\1" * pending\n',
+        INTERVAL,
+        "                    self.repeat(0)\n",
+        "                    self.repeat(1)\n",
         "Pending bits after a 1 are not its opposite.",
     ),
     Mutant(
         "last-bit-missing",
         Clause.ARITH_END_1,
-        CODER,
-        'out += b"\\0" + b"\\1" * (pending + 1) if low < QUARTER else b"\\1" + bytes(pending + 1)',
-        'out += b"\\0" + b"\\1" * pending if low < QUARTER else b"\\1" + bytes(pending)',
+        INTERVAL,
+        "        self.pending += 1\n        self.repeat(1 - last)\n",
+        "        self.repeat(1 - last)\n",
         "The last bit is missing.",
     ),
     Mutant(
         "bit-too-many-at-end",
         Clause.ARITH_END_1,
-        CODER,
-        'out += b"\\0" + b"\\1" * (pending + 1) if low < QUARTER else b"\\1" + bytes(pending + 1)',
-        'out += b"\\0" + b"\\1" * (pending + 2) if low < QUARTER else b"\\1" + bytes(pending + 2)',
+        INTERVAL,
+        "        self.pending += 1\n        self.repeat(1 - last)\n",
+        "        self.pending += 2\n        self.repeat(1 - last)\n",
         "One bit more than needed ends a message.",
     ),
     Mutant(
         "end-at-quarter",
         Clause.ARITH_END_1,
-        CODER,
-        "(pending + 1) if low < QUARTER else",
-        "(pending + 1) if low <= QUARTER else",
+        INTERVAL,
+        "0 if self.low < QUARTER else 1",
+        "0 if self.low <= QUARTER else 1",
         "A message whose interval begins at the first quarter ends in the wrong quarter.",
     ),
     Mutant(
         "narrowed-end-kept",
         Clause.ARITH_NARROW_1,
-        CODER,
+        INTERVAL,
         """\
-        high = low + width * upto // total - 1
+        high: i64 = low + width * upto // total - 1
         low += width * below // total
-        while True:
-            if high < HALF:
-                out.append(0)
 """,
         """\
-        high = low + width // total * upto - 1
+        high: i64 = low + width // total * upto - 1
         low += width // total * below
-        while True:
-            if high < HALF:
-                out.append(0)
 """,
         "The encoder divides before it multiplies.",
     ),
     Mutant(
         "slot-rounded",
         Clause.ARITH_DECODE_2,
-        CODER,
-        "((value - low + 1) * total - 1) // width",
-        "(value - low) * total // width",
+        INTERVAL,
+        "((self.value - self.low + 1) * total - 1) // width",
+        "(self.value - self.low) * total // width",
         "The decoder looks its symbol up without the mends of rounding.",
     ),
     Mutant(
@@ -148,17 +138,26 @@ MUTANTS: Final = (
         "negative-symbol",
         Clause.INFO_MODEL_5,
         CODER,
-        "if not 0 <= symbol < len(table) - 1:",
-        "if not symbol < len(table) - 1:",
-        "A negative symbol is looked up from the end of the table.",
+        "        if not 0 <= symbol < len(table) - 1 or",
+        """\
+        symbol %= max(len(table) - 1, symbol + 1)
+        if not 0 <= symbol < len(table) - 1 or""",
+        "A negative symbol is counted from the end of the table.",
     ),
     Mutant(
         "impossible-symbol",
         Clause.INFO_MODEL_5,
-        CODER,
-        "if below == upto:",
-        "if below > upto:",
-        "A symbol of frequency 0 is coded.",
+        "clers.kernels.automaton",
+        """\
+        if below == upto:
+            return i
+""",
+        """\
+        if below == upto:
+            i += 1
+            continue
+""",
+        "A symbol of frequency 0 is passed over.",
     ),
     Mutant(
         "carry-lost",

@@ -6,8 +6,8 @@ from clers.conventions.clause import Clause
 from clers.oracle.mutants.mutant import Mutant
 
 KING_ROSSIGNAC: Final = "clers.codes.king_rossignac"
-LOOPS: Final = "clers.codes.loops"
-CONTEXT: Final = "clers.codes.context"
+LOOPS: Final = "clers.kernels.loops"
+FORETELLING: Final = "clers.kernels.foretelling"
 CLOSINGS: Final = "clers.codes.closings"
 
 MUTANTS: Final = (
@@ -145,40 +145,40 @@ MUTANTS: Final = (
         "valence-lost-at-split",
         Clause.CODE_CONTEXT_2,
         LOOPS,
-        "count[q] += count[e] + 1",
-        "count[q] += 1",
+        "self.count[q] += self.count[e] + 1",
+        "self.count[q] += 1",
         "Where an S joins loops, the triangles at one end of its gate are forgotten.",
     ),
     Mutant(
         "valence-of-creation",
         Clause.CODE_CONTEXT_4,
         LOOPS,
-        "min(count[e] + 1, MOST)",
-        "min(count[e], MOST)",
+        "valence: i64 = self.count[e] + 1",
+        "valence: i64 = self.count[e]",
         "The triangle of a C is not counted at the vertex that leaves.",
     ),
     Mutant(
         "weight-rounded-down",
         Clause.CODE_CONTEXT_7,
-        CONTEXT,
-        "w0 + (s0 * error + HALF >> 15)",
-        "w0 + (s0 * error >> 15)",
+        FORETELLING,
+        " * error + HALF) >> 15",
+        " * error) >> 15",
         "A weight learns rounded down.",
     ),
     Mutant(
         "history-of-eleven",
         Clause.CODE_CONTEXT_4,
-        CONTEXT,
-        "HISTORY: Final = 6**12",
-        "HISTORY: Final = 6**11",
+        FORETELLING,
+        "HISTORY: Final = 2176782336",
+        "HISTORY: Final = 362797056",
         "One symbol less is remembered.",
     ),
     Mutant(
         "split-foretold",
         Clause.CODE_CONTEXT_3,
-        CONTEXT,
-        "elif d == E and not loops.can_split():",
-        "elif d == E and len(gates) < 2:",
+        FORETELLING,
+        "if decision == 3 and not self.loops.can_split():",
+        "if decision == 3 and self.loops.height < 2:",
         "Whether an S is possible is asked of the stack alone.",
     ),
     Mutant(
@@ -200,10 +200,22 @@ MUTANTS: Final = (
     Mutant(
         "urn-refilled",
         Clause.CODE_ENUM_2,
-        "clers.information.enumerative",
-        "less = self.counts[symbol] - 1",
-        "less = self.counts[symbol]",
-        "What is drawn from the urn is put back.",
+        "clers.kernels.urn",
+        """\
+            ones -= 1
+        else:
+            if zeros == 0:
+                return i
+            to.narrow(0, zeros, total)
+            zeros -= 1
+""",
+        """\
+        else:
+            if zeros == 0:
+                return i
+            to.narrow(0, zeros, total)
+""",
+        "What the encoder draws from the urn is put back.",
     ),
     Mutant(
         "tree-walked-from-edge",

@@ -5,189 +5,237 @@ from typing import Final
 from clers.conventions.clause import Clause
 from clers.oracle.mutants.mutant import Mutant
 
+GLUING: Final = "clers.kernels.gluing"
 LABEL: Final = "clers.edgebreaker.label"
-OUTLINE: Final = "clers.edgebreaker.outline"
-REVERSI: Final = "clers.edgebreaker.reversi"
+NAMING: Final = "clers.kernels.naming"
+SCAN: Final = "clers.kernels.scan"
 
 MUTANTS: Final = (
     Mutant(
         "record-opens-a-branch",
         Clause.EB_GRAMMAR_3,
-        OUTLINE,
-        "depth += record_of[i] < 0",
-        "depth += 1",
+        SCAN,
+        """\
+                if not has_records or self.record_of[i] < 0:
+                    depth += 1
+""",
+        """\
+                depth += 1
+""",
         "An S with a record counts as one that keeps its left gate.",
     ),
     Mutant(
         "one-component-too-many-open",
         Clause.EB_COMPONENT_3,
-        OUTLINE,
-        "closed = len(parts) >= stream.components_with_boundary",
-        "closed = len(parts) > stream.components_with_boundary",
+        "clers.edgebreaker.scanning",
+        "_within(stream.components_with_boundary)",
+        "_within(stream.components_with_boundary + 1)",
         "One component more than declared is read as one with boundary.",
     ),
     Mutant(
         "too-few-components-accepted",
         Clause.EB_GRAMMAR_3,
-        OUTLINE,
-        "if not 0 <= stream.components_with_boundary <= len(parts):",
-        "if not 0 <= stream.components_with_boundary:",
+        SCAN,
+        "if self.with_boundary < 0 or self.with_boundary > self.components:",
+        "if self.with_boundary < 0:",
         "More components with boundary may be declared than there are.",
     ),
     Mutant(
         "records-in-any-order",
         Clause.EB_GRAMMAR_2,
-        OUTLINE,
-        "if before.s >= record.s:",
-        "if before.s == record.s:",
+        SCAN,
+        "if s[r - 1] >= s[r]:",
+        "if s[r - 1] == s[r]:",
         "Records are accepted in any order.",
     ),
     Mutant(
         "negative-split-accepted",
         Clause.EB_GRAMMAR_2,
-        OUTLINE,
-        "if not 0 <= record.s < len(splits):",
-        "if not record.s < len(splits):",
+        SCAN,
+        "if s[r] < 0 or s[r] >= splits:",
+        "if s[r] >= splits:",
         "A negative number of an S counts from the end.",
     ),
     Mutant(
         "negative-closer-accepted",
         Clause.EB_GRAMMAR_4,
-        OUTLINE,
-        "if not 0 <= record.at < len(closers):",
-        "if not record.at < len(closers):",
+        SCAN,
+        "if at < 0 or at >= len(closers):",
+        "if at >= len(closers):",
         "A negative number of a closing symbol counts from the end.",
     ),
     Mutant(
         "closers-of-r-and-l",
         Clause.EB_HANDLE_3,
-        OUTLINE,
-        'closers = [i for i, x in enumerate(stream.word) if x in "RLE"]',
-        'closers = [i for i, x in enumerate(stream.word) if x in "RL"]',
+        SCAN,
+        "if x in (R, L, E):",
+        "if x in (R, L):",
         "E is not counted among the closing symbols.",
     ),
     Mutant(
         "other-edge-glued",
         Clause.EB_HANDLE_4,
-        OUTLINE,
-        "edge = 3 * face[i] + (1 if record.side is Side.RIGHT else 2)",
-        "edge = 3 * face[i] + (2 if record.side is Side.RIGHT else 1)",
+        SCAN,
+        "edge: i64 = 3 * face_of[i] + 1 + left",
+        "edge: i64 = 3 * face_of[i] + 2 - left",
         "The other edge of the closing triangle is glued.",
     ),
     Mutant(
         "empty-word-not-refused",
         Clause.EB_GRAMMAR_1,
-        OUTLINE,
-        "    if not word:\n",
-        "    if not word and stream.records:\n",
+        SCAN,
+        "        if n == 0:\n",
+        "        if n == 0 and len(self.records.s) > 0:\n",
         "The empty word is not thought of.",
     ),
     Mutant(
-        "unknown-letter-is-split",
+        "unknown-letter-passed-over",
         Clause.EB_GRAMMAR_1,
-        OUTLINE,
-        "    if stranger is not None:\n",
-        "    if stranger is not None and word[stranger] in SYMBOLS:\n",
-        "Any other letter is read as an S.",
+        SCAN,
+        "                return self.blame(UNKNOWN, i, 0)\n",
+        """\
+                self.word = bytes(y for y in word if y in b"CRLES")
+                return True
+""",
+        "Any other letter is passed over.",
     ),
     Mutant(
         "rest-of-word-ignored",
         Clause.EB_GRAMMAR_3,
-        OUTLINE,
-        "    if start < len(stream.word):\n",
-        "    if start < len(stream.word) and not parts:\n",
+        SCAN,
+        "        if start < n:\n",
+        "        if start < n and self.components == 0:\n",
         "What follows the last whole component is ignored.",
     ),
     Mutant(
         "outer-triangle-turned",
         Clause.EB_REVERSI_3,
-        REVERSI,
-        "zip(loop, (0, 2, 1), strict=True)",
-        "zip(loop, (0, 1, 2), strict=True)",
+        GLUING,
+        """\
+            opposite[root + 2] = second
+            opposite[second] = root + 2
+            opposite[root + 1] = third
+            opposite[third] = root + 1
+""",
+        """\
+            opposite[root + 1] = second
+            opposite[second] = root + 1
+            opposite[root + 2] = third
+            opposite[third] = root + 2
+""",
         "The last loop is glued to the first triangle in the wrong turn.",
     ),
     Mutant(
         "long-last-loop",
         Clause.EB_GRAMMAR_8,
-        REVERSI,
-        "            if len(loop) != TRIANGLE:\n",
-        "            if len(loop) < TRIANGLE:\n",
+        GLUING,
+        """\
+            if length != 3:
+                return self.blame(LEFT_OPEN, start, length)
+""",
+        """\
+            if length < 3:
+                return self.blame(LEFT_OPEN, start, length)
+            while self.state[edge] != CURVE:
+                self.state[edge] = CURVE
+                edge = self.after[edge]
+""",
         "The last loop of a closed component may be longer than three.",
     ),
     Mutant(
         "first-curve-of-two",
         Clause.EB_GRAMMAR_8,
-        REVERSI,
-        "            if len(loop) < TRIANGLE:\n",
-        "            if len(loop) < 2:\n",
+        GLUING,
+        "            if length < 3:\n",
+        "            if length < 2:\n",
         "A first boundary curve of two edges is accepted.",
     ),
     Mutant(
         "later-curve-of-two",
         Clause.EB_GRAMMAR_7,
-        REVERSI,
-        "        if length < TRIANGLE:\n",
-        "        if length < 2:\n",
+        GLUING,
+        "return length >= 3 or",
+        "return length >= 2 or",
         "A later boundary curve of two edges is accepted.",
     ),
     Mutant(
         "split-edges-swapped",
         Clause.EB_REVERSI_2,
-        REVERSI,
+        GLUING,
         """\
-        self.glue(gate + 1, right)
-        self.glue(gate + 2, left)
+        self.opposite[gate + 1] = right
+        self.opposite[right] = gate + 1
+        self.opposite[gate + 2] = left
+        self.opposite[left] = gate + 2
 """,
         """\
-        self.glue(gate + 2, right)
-        self.glue(gate + 1, left)
+        self.opposite[gate + 2] = right
+        self.opposite[right] = gate + 2
+        self.opposite[gate + 1] = left
+        self.opposite[left] = gate + 1
 """,
         "The triangle of an S is glued the wrong way round.",
     ),
     Mutant(
         "end-forgets-gate",
         Clause.EB_REVERSI_2,
-        REVERSI,
-        "after[gate], after[right], after[left] = right, left, gate",
-        "after[gate], after[right], after[left] = left, gate, right",
+        GLUING,
+        """\
+                after[gate] = right
+                after[right] = left
+                after[left] = gate
+                before[right] = gate
+                before[left] = right
+                before[gate] = left
+""",
+        """\
+                after[gate] = left
+                after[right] = gate
+                after[left] = right
+                before[right] = left
+                before[left] = gate
+                before[gate] = right
+""",
         "The loop of an E runs backwards.",
     ),
     Mutant(
         "later-curve-from-next",
         Clause.EB_ORDER_2,
-        LABEL,
-        "                yield from border_from(opposite, tip)",
-        "                found = list(border_from(opposite, tip))\n"
-        "                yield from (*found[1:], found[0])",
+        NAMING,
+        "                    naming.curve(tip)\n",
+        """\
+                    first = outgoing(opposite, tip)
+                    naming.curve(first - 2 if first % 3 == 2 else first + 1)
+""",
         "A curve is named from the vertex after the apex on.",
     ),
     Mutant(
         "first-curve-from-next",
         Clause.EB_COMPONENT_1,
-        LABEL,
-        "Corner(3 * part.first + 1)",
-        "Corner(3 * part.first + 2)",
+        NAMING,
+        "naming.curve(tip + 1)",
+        "naming.curve(tip + 2)",
         "The first curve is named from the right end of its gate on.",
     ),
     Mutant(
         "root-named-backwards",
         Clause.EB_ORDER_1,
-        LABEL,
-        "(Corner(3 * part.face + i) for i in range(3))",
-        "(Corner(3 * part.face + i) for i in (0, 2, 1))",
+        NAMING,
+        "            naming.name(root + 1)\n            naming.name(root + 2)\n",
+        "            naming.name(root + 2)\n            naming.name(root + 1)\n",
         "The vertices of the first triangle are named in another order.",
     ),
     Mutant(
         "creation-not-named",
         Clause.EB_ORDER_1,
-        LABEL,
+        NAMING,
         """\
-            if word[i] == "C":
-                yield tip
+            if x == C:
+                naming.name(tip)
 """,
         """\
-            if word[i] == "C":
-                continue
+            if x == C:
+                pass
 """,
         "The vertex that a C makes gets no name.",
     ),

@@ -6,50 +6,57 @@ from clers.conventions.clause import Clause
 from clers.oracle.mutants.mutant import Mutant
 
 ENCODE: Final = "clers.edgebreaker.encode"
+WALK: Final = "clers.kernels.walk"
 
 MUTANTS: Final = (
     Mutant(
         "mirrored-letters",
         Clause.EB_TRAVERSE_3,
-        ENCODE,
+        WALK,
         """\
-                self.word.append("R")
+                word.append(R)
                 gate = left_gate
             elif not right_closed:
-                self.word.append("L")
+                word.append(L)
 """,
         """\
-                self.word.append("L")
+                word.append(L)
                 gate = left_gate
             elif not right_closed:
-                self.word.append("R")
+                word.append(R)
 """,
         "R and L are swapped.",
     ),
     Mutant(
         "mirrored-walk",
         Clause.EB_TRAVERSE_2,
-        ENCODE,
+        WALK,
         """\
                 gate = right_gate
                 continue
-            right_closed""",
+            right_closed: bool""",
         """\
                 gate = left_gate
                 continue
-            right_closed""",
+            right_closed: bool""",
         "After a C the walk goes on at the left gate.",
     ),
     Mutant(
         "split-mirrored",
         Clause.EB_TRAVERSE_6,
-        ENCODE,
+        WALK,
         """\
-                stack.append(left_gate)
+                    stack[height] = left_gate
+                else:
+                    stack = append(stack, left_gate)
+                height += 1
                 gate = right_gate
 """,
         """\
-                stack.append(right_gate)
+                    stack[height] = right_gate
+                else:
+                    stack = append(stack, right_gate)
+                height += 1
                 gate = left_gate
 """,
         "An S keeps its right gate and goes on at the left one.",
@@ -57,120 +64,141 @@ MUTANTS: Final = (
     Mutant(
         "stack-is-queue",
         Clause.EB_TRAVERSE_5,
-        ENCODE,
-        "gate = stack.pop()\n",
-        "gate = stack.pop(0)\n",
+        WALK,
+        "                gate = stack[height]\n",
+        """\
+                gate = stack[0]
+                for k in range(height):
+                    stack[k] = stack[k + 1]
+""",
         "An E takes the oldest gate, not the newest.",
     ),
     Mutant(
         "visited-gate-popped",
         Clause.EB_TRAVERSE_5,
-        ENCODE,
-        "while stack and visited[stack[-1] // 3]:",
-        "while stack and False:",
+        WALK,
+        "while height > 0 and visited[stack[height - 1] // 3] != 0:",
+        "while height > 0 and False:",
         "An E goes on at a gate whose triangle was visited since.",
     ),
     Mutant(
         "one-visited-gate-popped",
         Clause.EB_TRAVERSE_5,
-        ENCODE,
-        "while stack and visited[stack[-1] // 3]:",
-        "if stack and visited[stack[-1] // 3]:",
+        WALK,
+        "while height > 0 and visited[stack[height - 1] // 3] != 0:",
+        "if height > 0 and visited[stack[height - 1] // 3] != 0:",
         "An E passes over one visited gate, and not over the next.",
     ),
     Mutant(
         "boundary-vertex-created",
         Clause.EB_COMPONENT_4,
-        ENCODE,
-        "if not (marked[v] or on_curve[v]):",
-        "if not marked[v]:",
+        WALK,
+        "if mark[v] == UNSEEN:",
+        "if mark[v] != MARKED:",
         "A vertex on a curve that was not reached yet is created by a C.",
     ),
     Mutant(
         "creation-not-marked",
         Clause.EB_TRAVERSE_2,
-        ENCODE,
+        WALK,
         """\
-                marked[v] = 1
-                self.vertex_order""",
-        "                self.vertex_order",
+                mark[v] = MARKED
+                self.order""",
+        "                self.order",
         "A C does not mark its apex.",
     ),
     Mutant(
         "curve-not-marked",
         Clause.EB_TRAVERSE_7,
-        ENCODE,
+        WALK,
         """\
-            v = self.surface.vertex[c]
-            self.marked[v] = 1
-""",
-        "            v = self.surface.vertex[c]\n",
+            self.mark[v] = MARKED
+            self.order = append(self.order, v)
+            c = outgoing""",
+        """\
+            self.order = append(self.order, v)
+            c = outgoing""",
         "The vertices of a curve that was reached are not marked.",
     ),
     Mutant(
         "root-not-marked",
         Clause.EB_COMPONENT_2,
-        ENCODE,
+        WALK,
         """\
-        for v in self.surface.vertex[corner : corner + 3]:
-            self.marked[v] = 1
+            self.mark[v] = MARKED
+            self.order = append(self.order, v)
+            k += 1
 """,
-        "        for v in self.surface.vertex[corner : corner + 3]:\n",
+        """\
+            self.order = append(self.order, v)
+            k += 1
+""",
         "The vertices of the first triangle are not marked.",
     ),
     Mutant(
         "wrong-start-gate",
         Clause.EB_COMPONENT_2,
-        ENCODE,
-        "walk.traverse(surface.opposite[3 * t])",
-        "walk.traverse(surface.opposite[3 * t + 1])",
+        WALK,
+        "walk.traverse(opposite[c])",
+        "walk.traverse(opposite[c + 1])",
         "A closed component is entered across the wrong edge of its first triangle.",
     ),
     Mutant(
         "first-curve-from-other-end",
         Clause.EB_COMPONENT_1,
-        ENCODE,
-        "walk.reach_curve(next_corner(corner))",
-        "walk.reach_curve(previous_corner(corner))",
+        WALK,
+        "walk.reach_curve(c - 2 if c % 3 == 2 else c + 1)",
+        "walk.reach_curve(c - 1 if c % 3 else c + 2)",
         "The first curve is listed from the other end of the gate.",
     ),
     Mutant(
         "curve-run-backwards",
         Clause.EB_ORDER_2,
-        ENCODE,
-        "for c in border_from(self.surface.opposite, corner):",
-        "for c in reversed(list(border_from(self.surface.opposite, corner))):",
+        WALK,
+        """\
+            c = outgoing(opposite, c - 2 if c % 3 == 2 else c + 1)
+            if c == start:
+                return
+""",
+        """\
+            c = outgoing(opposite, c - 2 if c % 3 == 2 else c + 1)
+            if c == start:
+                break
+        order = list(self.order)
+        first = order.index(self.vertex[start])
+        self.order = vec[i64](order[:first] + order[first:][::-1])
+""",
         "The vertices of a curve are listed against its direction.",
     ),
     Mutant(
         "splits-counted-from-1",
         Clause.EB_HANDLE_3,
         ENCODE,
-        "Record(kind, s, self.closers, side)",
-        "Record(kind, s + 1, self.closers, side)",
+        "            s,\n",
+        "            s + 1,\n",
         "The S of a record is counted from 1.",
     ),
     Mutant(
         "closing-symbol-counted",
         Clause.EB_HANDLE_3,
         ENCODE,
-        "Record(kind, s, self.closers, side)",
-        "Record(kind, s, self.closers + 1, side)",
+        "            at >> 1,\n",
+        "            (at >> 1) + 1,\n",
         "The closing symbol counts itself.",
     ),
     Mutant(
         "closers-of-the-component",
         Clause.EB_HANDLE_3,
-        ENCODE,
-        "        stack: list[Corner] = []\n",
-        "        stack: list[Corner] = []\n        self.closers = 0\n",
+        WALK,
+        "        stack = vec[i64]()\n",
+        "        stack = vec[i64]()\n        self.closers = 0\n",
         "Closing symbols are counted anew in each component.",
     ),
     Mutant(
         "every-record-a-handle",
         Clause.EB_HANDLE_2,
         ENCODE,
-        "Kind.BOUNDARY if s in self.reached_curve else Kind.HANDLE",
+        "Kind.BOUNDARY if walk.reaches[s] else Kind.HANDLE",
         "Kind.HANDLE",
         "That an S reached a curve is forgotten where it is closed.",
     ),
@@ -178,23 +206,23 @@ MUTANTS: Final = (
         "next-split-reached-curve",
         Clause.EB_HANDLE_2,
         ENCODE,
-        "self.reached_curve.add(len(self.left_of))",
-        "self.reached_curve.add(len(self.left_of) + 1)",
+        "Kind.BOUNDARY if walk.reaches[s] else",
+        "Kind.BOUNDARY if s > 0 and walk.reaches[s - 1] else",
         "The S after the one that reached a curve is taken for it.",
     ),
     Mutant(
         "closing-sides-swapped",
         Clause.EB_HANDLE_4,
-        ENCODE,
+        WALK,
         """\
-                self.close(right, Side.RIGHT)
+                self.close(right_gate, 0)
             if left_closed:
-                self.close(left, Side.LEFT)
+                self.close(left_gate, 1)
 """,
         """\
-                self.close(right, Side.LEFT)
+                self.close(right_gate, 1)
             if left_closed:
-                self.close(left, Side.RIGHT)
+                self.close(left_gate, 0)
 """,
         "The sides of records are swapped.",
     ),
@@ -202,35 +230,39 @@ MUTANTS: Final = (
         "records-as-closed",
         Clause.EB_HANDLE_5,
         ENCODE,
-        "for s in sorted(walk.records)",
-        "for s in walk.records",
+        "    closed = ((s, at) for s, at in enumerate(walk.closed) if at >= 0)\n",
+        "    closed = sorted(((s, at) for s, at in enumerate(walk.closed) if at >= 0),"
+        " key=lambda record: record[1])\n",
         "Records are written in the order in which they were closed.",
     ),
     Mutant(
         "left-of-end-not-closed",
         Clause.EB_HANDLE_4,
-        ENCODE,
-        "            if left_closed:\n                self.close(left",
-        "            if left_closed and not right_closed:\n                self.close(left",
+        WALK,
+        "            if left_closed:\n",
+        "            if left_closed and not right_closed:\n",
         "An E closes with its right edge only.",
     ),
     Mutant(
         "closed-components-first",
         Clause.EB_COMPONENT_1,
-        ENCODE,
+        WALK,
         """\
-    walk = _Walk(surface)
+    walk = Walk(vertex, opposite, vertices)
 """,
         """\
-    walk = _Walk(surface)
-    from clers.complexes.topology import component_of_faces
-
-    number = component_of_faces(surface)
-    open_parts = {number[c // 3] for c, d in enumerate(surface.opposite) if d == BORDER}
-    for t in range(surface.faces):
-        if number[t] not in open_parts and not walk.visited[t]:
-            walk.visit_root(Corner(3 * t))
-            walk.traverse(surface.opposite[3 * t])
+    walk = Walk(vertex, opposite, vertices)
+    more = [c // 3 for c in range(len(vertex)) if opposite[c] < 0]
+    open_parts = set(more)
+    while more:
+        t = more.pop()
+        near = {opposite[3 * t + k] // 3 for k in range(3)} - open_parts - {-1}
+        open_parts |= near
+        more += near
+    for t in range(len(vertex) // 3):
+        if t not in open_parts and walk.visited[t] == 0:
+            walk.visit_root(3 * t)
+            walk.traverse(opposite[3 * t])
 """,
         "Closed components are written before those with boundary.",
     ),
@@ -238,8 +270,8 @@ MUTANTS: Final = (
         "curves-counted",
         Clause.EB_COMPONENT_1,
         ENCODE,
-        'stream = Stream("".join(walk.word), records, with_boundary)',
-        'stream = Stream("".join(walk.word), records, with_boundary + len(walk.reached_curve))',
+        "walk.with_boundary)",
+        "walk.with_boundary + sum(walk.reaches))",
         "Boundary curves are counted in place of components with boundary.",
     ),
     Mutant(

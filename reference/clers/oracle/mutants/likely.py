@@ -8,6 +8,14 @@ from clers.conformance.cases.case import Case
 from clers.oracle.mutants.mutant import Mutant
 
 ASKED_OF: Final = (
+    ("clers.kernels.table", ("surface.classify", "word.encode")),
+    ("clers.kernels.walk", ("word.encode",)),
+    ("clers.kernels.scan", ("word.decode",)),
+    ("clers.kernels.gluing", ("word.decode",)),
+    ("clers.kernels.naming", ("word.decode",)),
+    ("clers.kernels.interval", ("arithmetic.encode", "arithmetic.decode")),
+    ("clers.kernels.automaton", ("arithmetic.encode", "arithmetic.decode")),
+    ("clers.kernels", ("code.encode", "code.decode")),
     ("clers.complexes", ("surface.classify", "word.encode")),
     ("clers.operators", ("operator.apply",)),
     ("clers.edgebreaker.encode", ("word.encode",)),
