@@ -201,28 +201,16 @@ MUTANTS: Final = (
         "urn-refilled",
         Clause.CODE_ENUM_2,
         "clers.kernels.urn",
-        """\
-            ones -= 1
-        else:
-            if zeros == 0:
-                return i
-            to.narrow(0, zeros, total)
-            zeros -= 1
-""",
-        """\
-        else:
-            if zeros == 0:
-                return i
-            to.narrow(0, zeros, total)
-""",
+        "    while i < n:\n",
+        "    filled = zeros, ones\n    while i < n:\n        zeros, ones = filled\n",
         "What the encoder draws from the urn is put back.",
     ),
     Mutant(
         "tree-walked-from-edge",
         Clause.CODE_TREE_4,
         "clers.codes.enumerative",
-        "tree_word(surface)[len(FRONT) : -len(BACK)]",
-        "tree_word(surface)[len(BACK) - 1 : -len(FRONT) - 1]",
+        "(surface)[len(FRONT) : -len(BACK)]",
+        "(surface)[len(BACK) - 1 : -len(FRONT) - 1]",
         "The known bits are cut off one place too early.",
     ),
     Mutant(
