@@ -1,8 +1,16 @@
-"""Hypothesis profiles: `ci` is derandomised; `campaign` (CLERS_PROFILE=campaign) is long."""
+"""Hypothesis profiles: `ci` is derandomised; `campaign` (CLERS_PROFILE=campaign) is long.
+
+Tests marked `interpreted` see into the kernels, which machine code does not let them. Where the
+kernels are compiled, such tests run in another process, in which they are not.
+"""
 
 import os
 
+import pytest
 from hypothesis import HealthCheck, settings
+
+from clers.kernels import COMPILED
+from elsewhere import outcome_of
 
 settings.register_profile(
     "ci",
@@ -16,3 +24,18 @@ settings.register_profile(
     "campaign", parent=settings.get_profile("ci"), derandomize=False, max_examples=5000
 )
 settings.load_profile(os.environ.get("CLERS_PROFILE", "ci"))
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "interpreted: runs where the kernels are interpreted")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
+    """Take the outcome of a marked test from the process that it ran in."""
+    if not COMPILED or pyfuncitem.get_closest_marker("interpreted") is None:
+        return None
+    said = outcome_of(pyfuncitem.path, pyfuncitem.name)
+    if said:
+        pytest.fail(said, pytrace=False)
+    return True

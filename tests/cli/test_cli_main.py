@@ -1,12 +1,15 @@
 """The program as a whole: start-up, versions, exit codes, interrupts."""
 
+import os
 import subprocess
 import sys
 
+import pytest
 from typer.testing import CliRunner
 
 from clers import SPEC_VERSION, __version__
 from clers.cli.main import app
+from clers.kernels import COMPILED
 
 INTERRUPTED = """
 import sys
@@ -21,11 +24,29 @@ sys.argv = ["clers", "wait"]
 main.main()
 """
 
+RUN = """
+from clers.cli.main import main
+main()
+"""
+
 LOADED = """
 import sys
 from clers.cli import main
 print(*sorted({".".join(name.split(".")[:2]) for name in sys.modules}))
 """
+
+AFTER = """
+import atexit, sys
+from clers.cli.main import main
+atexit.register(lambda: print(*sorted({x.split(".")[0] for x in sys.modules}), file=sys.stderr))
+sys.argv[1:] = sys.stdin.buffer.readline().decode().split()
+main()
+"""
+
+HEAVY = {
+    "hypothesis", "numpy", "trimesh", "manifold3d", "matplotlib", "markdown_it", "jinja2",
+    "distributed", "rich",
+}  # fmt: skip
 
 
 def python(program: str) -> subprocess.CompletedProcess[str]:
@@ -40,20 +61,60 @@ def test_interrupt() -> None:
 
 
 def test_start_loads_nothing_heavy() -> None:
-    """No library but Typer, and no chapter but chapter 0, before a command is known."""
+    """TOOL-START-1: no library but Typer, no chapter but chapter 0, before a command is known."""
     loaded = set(python(LOADED).stdout.split())
     ours = {name for name in loaded if name.startswith("clers.")}
     assert ours == {"clers.cli", "clers.conventions"}
-    heavy = {"hypothesis", "numpy", "trimesh", "manifold3d", "matplotlib", "markdown_it", "msgspec"}
-    assert not heavy & loaded
+    assert not (HEAVY | {"msgspec"}) & loaded
     assert "typer" in loaded
 
 
+ECHO = '{"id":1,"op":"echo","input":{}}'
+ENCODE = (
+    '{"id":2,"op":"mesh.encode","input":{"vertices":4,'
+    '"faces":[[0,1,2],[0,2,3],[0,3,1],[1,3,2]],"code":"best"}}'
+)
+TUTORIAL = '{"id":3,"op":"word.decode","input":{"word":"CCCRCRRCRRE"}}'
+
+
+@pytest.mark.parametrize(
+    ("words", "more"),
+    [
+        ("--help", {"msgspec"}),
+        ("--version", {"msgspec"}),
+        ("adapter --help", {"msgspec"}),
+        (f"adapter reference\n{ECHO}\n{ENCODE}\n{TUTORIAL}", set[str]()),
+    ],
+)
+def test_what_is_quick_loads_nothing_heavy(words: str, more: set[str]) -> None:
+    """Clause: TOOL-START-1."""
+    ended = subprocess.run(
+        [sys.executable, "-c", AFTER], input=f"{words}\n", capture_output=True, text=True
+    )
+    assert ended.returncode == 0, ended.stderr
+    assert not (HEAVY | more) & set(ended.stderr.split())
+    assert len(ended.stdout.splitlines()) >= words.count("\n")
+
+
 def test_version() -> None:
-    """Clause: TOOL-EXIT-1."""
+    """Clauses: TOOL-EXIT-1, TOOL-BUILD-5."""
     result = CliRunner().invoke(app, ["--version"])
     assert result.exit_code == 0
-    assert result.stdout == f"clers {__version__}, specification {SPEC_VERSION}\n"
+    build = "compiled" if COMPILED else "interpreted"
+    said = f"clers {__version__}, specification {SPEC_VERSION}, kernels {build}\n"
+    assert result.stdout == said
+
+
+def test_version_of_the_interpreted_build() -> None:
+    """Clauses: TOOL-BUILD-4, TOOL-BUILD-5."""
+    ended = subprocess.run(
+        [sys.executable, "-c", "import sys; sys.argv[1:] = ['--version']\n" + RUN],
+        env={**os.environ, "CLERS_KERNELS": "interpreted"},
+        capture_output=True,
+        text=True,
+    )
+    assert ended.returncode == 0
+    assert ended.stdout.endswith(", kernels interpreted\n")
 
 
 def test_wrong_usage() -> None:

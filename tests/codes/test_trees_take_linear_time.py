@@ -15,6 +15,8 @@ from clers.generate.families import bipyramid
 from clers.generate.uniform import uniform_sphere
 from counted import lines
 
+pytestmark = pytest.mark.interpreted
+
 
 def hubs(vertices: int) -> Surface:
     """Two vertices that all others are joined to, from a face at a hub."""

@@ -20,6 +20,8 @@ from clers.conventions.result import Rejected
 from clers.generate.families import bipyramid
 from counted import lines
 
+pytestmark = pytest.mark.interpreted
+
 
 def fan(n: int) -> FaceList:
     """n triangles about vertex 0, open: a hub on the boundary."""

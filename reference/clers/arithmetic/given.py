@@ -6,6 +6,7 @@ from typing import Final
 from clers.arithmetic.bits import Bits
 from clers.arithmetic.steps import State
 from clers.conventions.law import Given
+from clers.information.automaton import Context
 from clers.information.model import Model
 
 
@@ -52,6 +53,15 @@ class Pushing:
     ahead: bytes
 
 
+@dataclass(frozen=True, slots=True)
+class ByAutomaton:
+    """An automaton in one of its contexts, any symbols, and any bits to read as many from."""
+
+    start: Context
+    symbols: tuple[int, ...]
+    bits: Bits
+
+
 JOINED: Final = Given("message-and-tail", "an allowed message and bits that follow it", Joined)
 ATTEMPT: Final = Given("any-bits", "a model, bits of any origin, a number of symbols", Attempt)
 NARROWING: Final = Given("settled-state", "a settled state and a good table", Narrowing)
@@ -59,3 +69,4 @@ INTERVAL: Final = Given("any-state", "integers 0 ≤ low ≤ high < 2^32", State
 DECLARED: Final = Given("declared-bytes", "bytes and a declared number of bits", Declared)
 BITS: Final = Given("bits", "a string of bits", Bits)
 PUSHING: Final = Given("state-of-56-bits", "2^48 < state < 2^56, a good table, bytes", Pushing)
+BY_AUTOMATON: Final = Given("by-automaton", "an automaton, symbols, bits", ByAutomaton)

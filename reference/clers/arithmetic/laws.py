@@ -11,6 +11,7 @@ from clers.arithmetic.bits import Bits, pack
 from clers.arithmetic.coder import REFERENCE, Coder
 from clers.arithmetic.exact import number_of
 from clers.arithmetic.given import ATTEMPT, JOINED, Attempt, Joined
+from clers.arithmetic.laws_automaton import LAWS_OF_AUTOMATA
 from clers.arithmetic.laws_byte_steps import LAWS_OF_BYTE_STEPS
 from clers.arithmetic.laws_bytewise import LAWS_OF_BYTEWISE
 from clers.arithmetic.laws_exact import LAWS_OF_EXACT
@@ -251,6 +252,7 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
     *LAWS_OF_EXACT,
     *LAWS_OF_STEPS,
     *laws_of(REFERENCE),
+    *LAWS_OF_AUTOMATA,
     *LAWS_OF_BYTE_STEPS,
     *LAWS_OF_BYTEWISE,
 )

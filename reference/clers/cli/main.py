@@ -1,6 +1,7 @@
 """The program `clers`: its commands, each in a module of its own. Clause: TOOL-EXIT-1.
 
 Start-up is quick because a command's module imports what it needs inside the command.
+Clause: TOOL-START-1.
 """
 
 import sys
@@ -67,8 +68,12 @@ app.add_typer(complexes.structure_app, name="structure")
 
 
 def _version(wanted: bool) -> None:
+    """Clause: TOOL-BUILD-5."""
     if wanted:
-        line(f"clers {__version__}, specification {SPEC_VERSION}")
+        from clers.kernels import COMPILED
+
+        build = "compiled" if COMPILED else "interpreted"
+        line(f"clers {__version__}, specification {SPEC_VERSION}, kernels {build}")
         raise typer.Exit
 
 

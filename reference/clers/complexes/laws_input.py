@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from clers.complexes.corner_table import face_list, surface
+from clers.complexes.corner_table import by_clauses, face_list, surface
 from clers.complexes.definition import first_fault, is_coherent_surface, is_surface, sides
 from clers.complexes.face_list import DEFAULT_LIMITS, FaceList, Limits
 from clers.complexes.fans import fans
@@ -41,6 +41,10 @@ def _fault(given: FaceList) -> Verdict:
                 (got.reason, got.clause, got.where),
                 expected.where,
             )
+
+
+def _by_clauses(given: FaceList) -> Verdict:
+    return same(by_clauses(given), surface(given))
 
 
 def _accepted(given: FaceList) -> Verdict:
@@ -165,6 +169,20 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
         "rejected by both for one reason, by one clause, at one element.",
         FACE_LISTS,
         _fault,
+    ),
+    Law(
+        "kernels-accept-what-clauses-accept",
+        Clause.TOOL_BUILD_6,
+        "By sorting comes the corner table that comes by the clauses one after another.",
+        FACE_LISTS,
+        _by_clauses,
+    ),
+    Law(
+        "kernels-refuse-what-clauses-refuse",
+        Clause.TOOL_BUILD_6,
+        "So it is where faces are turned over, vertices pinched together or not used.",
+        REPAIRABLE,
+        _by_clauses,
     ),
     Law(
         "accepts-exactly-oriented-surfaces",

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from clers.arithmetic.bits import Bits, pack
 from clers.arithmetic.coder import REFERENCE, Coder
-from clers.arithmetic.given import Attempt, Declared, Joined, Narrowing, Pushing
+from clers.arithmetic.given import Attempt, ByAutomaton, Declared, Joined, Narrowing, Pushing
 from clers.arithmetic.range_coder import RANGE_CODER
 from clers.arithmetic.rans import RANS
 from clers.arithmetic.steps import HALF, QUARTER, TOP, State
@@ -22,7 +22,7 @@ from clers.generate.models import (
     adaptives,
     automata,
 )
-from clers.information.automaton import Automaton
+from clers.information.automaton import Automaton, contexts
 from clers.information.given import (
     AdaptiveRequest,
     AutomatonRequest,
@@ -127,6 +127,19 @@ def _attempts(draw: st.DrawFn) -> Attempt:
     return Attempt(given_.model, pack(bits), count)
 
 
+@st.composite
+def _by_automata(draw: st.DrawFn) -> ByAutomaton:
+    """Allowed symbols and their bits; or a symbol that may not be allowed; or other bits."""
+    start = draw(automata().map(contexts).flatmap(st.sampled_from))
+    symbols = _walk(start, draw(PICKS))
+    code = REFERENCE.encode(start, symbols)
+    right = pack([]) if isinstance(code, Rejected) else code.value
+    bits = draw(st.one_of(st.just(right), BIT_STRINGS, BIT_STRINGS.map(right.followed_by)))
+    place, symbol = draw(st.integers(0, len(symbols))), draw(st.integers(-1, 300))
+    strange = (*symbols[:place], symbol, *symbols[place + 1 :])
+    return ByAutomaton(start, draw(st.sampled_from([symbols, strange])), bits)
+
+
 def _settled(low: int, high: int, central: bool) -> State:
     """A settled state: about the middle with one end in a quarter of its own."""
     if central:
@@ -187,6 +200,7 @@ DOMAINS: Final[Mapping[str, st.SearchStrategy[object]]] = MappingProxyType(
             BIT_STRINGS,
         ),
         "any-bits": _attempts(),
+        "by-automaton": _by_automata(),
         "settled-state": st.builds(
             Narrowing, st.builds(_settled, WORDS, WORDS, st.booleans()), TABLES
         ),

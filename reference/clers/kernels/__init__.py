@@ -1,11 +1,12 @@
 """Kernels: the loops that all time goes into, over flat integers, compiled where that can be done.
 
 A kernel is the one copy of its algorithm. It runs interpreted as it stands; when the package is
-built where there is a C compiler, mypyc makes machine code of the same file. Integers are of 64
-bits there and wrap without a word, so each kernel says why its own cannot.
+built where there is a C compiler, mypyc makes machine code of the same file (TOOL-BUILD-2).
+Integers are of 64 bits there and wrap without a word, so each kernel says why its own cannot.
 
 Machine code of another text than the one beside it is never run, and with the environment variable
-CLERS_KERNELS=interpreted none is.
+CLERS_KERNELS=interpreted none is. The lines that a kernel executes are counted: what makes one
+slower shows in a test (TOOL-BUILD-7). Clauses: TOOL-BUILD-1, TOOL-BUILD-3, TOOL-BUILD-4.
 """
 
 import sys
@@ -24,14 +25,17 @@ STAMP: Final = "compiled.sha256"
 
 
 def digest(folder: Path) -> str:
-    """The hash of all kernels' sources in a folder."""
+    """The hash of all kernels' sources in a folder. Clause: TOOL-BUILD-3."""
     sources = sorted(path for path in folder.glob("*.py") if path.stem != "__init__")
     named = (path.name.encode() + b"\0" + path.read_bytes() + b"\0" for path in sources)
     return sha256(b"".join(named)).hexdigest()
 
 
 def _compiled() -> bool:
-    """Whether there is machine code of these very sources, and it is wanted."""
+    """Whether there is machine code of these very sources, and it is wanted.
+
+    Clauses: TOOL-BUILD-3, TOOL-BUILD-4.
+    """
     stamp = HERE / STAMP
     if environ.get("CLERS_KERNELS") == "interpreted" or not stamp.exists():
         return False
@@ -51,7 +55,7 @@ class _Sources:
 
 
 COMPILED: Final = _compiled()
-"""Whether the kernels are machine code."""
+"""Whether the kernels are machine code. Clause: TOOL-BUILD-5."""
 
 if not COMPILED:
     # Before those who would prefer machine code, after those who bring another source.
