@@ -50,10 +50,10 @@ def handles(size: int) -> FaceList:
 PINNED: Final[Mapping[str, Mapping[str, float]]] = {
     "sphere": {
         "automaton": 23.68,
-        "foretelling": 493.32,
+        "foretelling": 425.7,
         "gluing": 67.65,
-        "interval": 260.27,
-        "loops": 59.6,
+        "interval": 254.24,
+        "loops": 55.74,
         "naming": 56.08,
         "order": 24.52,
         "scan": 18.71,
@@ -64,10 +64,10 @@ PINNED: Final[Mapping[str, Mapping[str, float]]] = {
     },
     "handles": {
         "automaton": 24.2,
-        "foretelling": 459.91,
+        "foretelling": 410.31,
         "gluing": 34.46,
-        "interval": 133.42,
-        "loops": 59.74,
+        "interval": 129.8,
+        "loops": 55.04,
         "naming": 28.22,
         "order": 24.49,
         "scan": 19.38,
