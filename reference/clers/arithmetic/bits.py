@@ -34,7 +34,11 @@ class Bits:
 
     def followed_by(self, other: "Bits") -> "Bits":
         """These bits and then the others."""
-        return pack(self.values() + other.values())
+        first = int.from_bytes(self.data, "big") >> -self.length % 8
+        second = int.from_bytes(other.data, "big") >> -other.length % 8
+        length = self.length + other.length
+        number = (first << other.length | second) << -length % 8
+        return Bits(number.to_bytes((length + 7) // 8, "big"), length)
 
 
 def pack(values: Iterable[int]) -> Bits:

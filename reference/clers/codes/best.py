@@ -66,15 +66,26 @@ CANDIDATES: Final = (
 )
 """In the order in which ties are decided. Clause: CODE-BEST-1."""
 
+_ALPHABET: Final = "".join(NUMBER).encode()
+
 LONGEST: Final = max(len(candidate.selector) for candidate in CANDIDATES)
 
 
 @dataclass(frozen=True, slots=True)
 class Chosen:
-    """The selector of the shortest code, and all bits. Clause: CODE-BEST-1."""
+    """The selector of the shortest code, and the bits after it. Clause: CODE-BEST-1."""
 
     selector: str
-    bits: Bits
+    rest: Bits
+
+    @property
+    def length(self) -> int:
+        """How many bits there are in all."""
+        return len(self.selector) + self.rest.length
+
+    def bits(self) -> Bits:
+        """All bits."""
+        return pack(map(int, self.selector)).followed_by(self.rest)
 
 
 def chosen(symbols: str, shape: Shape, known: Mapping[str, Bits]) -> Chosen:
@@ -83,25 +94,25 @@ def chosen(symbols: str, shape: Shape, known: Mapping[str, Bits]) -> Chosen:
     for candidate in CANDIDATES:
         selector = candidate.selector
         least = len(selector) + candidate.least(symbols, shape)
-        if best is not None and least >= best.bits.length:
+        if best is not None and least >= best.length:
             continue
         given = known.get(selector)
         found = candidate.code.encode(symbols, shape) if given is None else Accepted(given)
         if isinstance(found, Rejected):
             continue
-        whole = pack(map(int, selector)).followed_by(found.value)
-        if best is None or whole.length < best.bits.length:
-            best = Chosen(selector, whole)
+        length = len(selector) + found.value.length
+        if best is None or length < best.length:
+            best = Chosen(selector, found.value)
     assert best is not None, "plain takes every word over the alphabet"
     return best
 
 
 def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
     """The selector and the bits of the shortest code. Linear. CODE-BEST-1, CODE-BEST-3."""
-    stranger = next((i for i, x in enumerate(symbols) if x not in NUMBER), None)
-    if stranger is not None:
+    if symbols.encode("ascii", "replace").translate(None, _ALPHABET):
+        stranger = next(i for i, x in enumerate(symbols) if x not in NUMBER)
         return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_BEST_1, AtSymbol(stranger))
-    return Accepted(chosen(symbols, shape, {}).bits)
+    return Accepted(chosen(symbols, shape, {}).bits())
 
 
 def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:

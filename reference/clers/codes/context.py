@@ -32,7 +32,9 @@ DECISIONS: Final = {"C": (1,), "R": (0, 1), "L": (0, 0, 1), "E": (0, 0, 0, 1), "
 FAR: Final = 1 << 62
 """No word has so many symbols or edges."""
 
-_ALPHABET: Final = frozenset(ORDER)
+EXPECTED: Final = 1 << 20
+"""Memory is kept for no more symbols than these before they come."""
+
 _NUMBERS: Final = bytes.maketrans(ORDER.encode(), bytes(range(len(ORDER))))
 _LETTERS: Final = bytes.maketrans(bytes(range(len(ORDER))), ORDER.encode())
 _STRETCH: Final = vec[i64](STRETCH)
@@ -40,13 +42,17 @@ _SQUASH: Final = vec[i64](SQUASH)
 _RATE: Final = vec[i64](RATE)
 
 
-def foretelling(shape: Shape) -> Foretelling:
-    """What is foretold before the first decision. Clauses: CODE-CONTEXT-2 … CODE-CONTEXT-7."""
+def foretelling(shape: Shape, count: int = 0) -> Foretelling:
+    """What is foretold before the first decision, of a word that is said to have `count` symbols.
+
+    Clauses: CODE-CONTEXT-2 … CODE-CONTEXT-7.
+    """
     seen = shape.closings
     loops = Loops(
         vec[i64](min(closing.passed, FAR) for closing in seen),
         vec[i64](int(closing.side is Side.LEFT) for closing in seen),
         vec[i64](min(closing.between, FAR) for closing in seen),
+        max(0, min(count, EXPECTED)),
     )
     return Foretelling(loops, _STRETCH, _SQUASH, _RATE)
 
@@ -56,11 +62,12 @@ def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
 
     Linear. Clauses: CODE-CONTEXT-1, CODE-CONTEXT-3.
     """
-    if not _ALPHABET.issuperset(symbols):
-        stranger = next(i for i, x in enumerate(symbols) if x not in _ALPHABET)
+    coded = symbols.encode("ascii", "replace")
+    if coded.translate(None, ORDER.encode()):
+        stranger = next(i for i, x in enumerate(symbols) if x not in ORDER)
         return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_CONTEXT_1, AtSymbol(stranger))
     to = Encoder()
-    fault = encoded(symbols.encode().translate(_NUMBERS), foretelling(shape), to)
+    fault = encoded(coded.translate(_NUMBERS), foretelling(shape, len(symbols)), to)
     if fault >= 0:
         detail = "no loop of a surface lets this symbol be undone"
         where = AtSymbol(fault)
@@ -74,7 +81,7 @@ def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
     Linear. Clauses: CODE-CONTEXT-1, CODE-CONTEXT-8.
     """
     of = Decoder(bits.values())
-    by = foretelling(shape)
+    by = foretelling(shape, count)
     found = decoded(count, bits.length, by, of)
     if len(found) < count or of.at - AHEAD > bits.length:
         return truncated(by.decisions, bits)

@@ -11,13 +11,13 @@ from clers.arithmetic.bits import Bits, pack
 from clers.arithmetic.coder import SHORTEST, Reading, strictly, truncated
 from clers.codes.closure import sphere_of
 from clers.codes.code import Code, Guarantee, Shape
-from clers.codes.tree_word import tree_word
-from clers.complexes.surface import Surface
+from clers.codes.tree_word import flat_tree_word
+from clers.complexes.flat_surface import FlatSurface
 from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
-from clers.edgebreaker.decode import decode as surface_of
+from clers.edgebreaker.decode import flat as surface_of
 from clers.edgebreaker.encode import encode as stream_of
 from clers.edgebreaker.stream import Stream
 from clers.information.enumerative import Urn
@@ -37,13 +37,13 @@ def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
     return and_then(surface_of(Stream(shape.head + symbols)), _bits)
 
 
-def _bits(surface: Surface) -> Accepted[Bits] | Rejected:
-    spheres = surface.vertices - surface.faces // 2
+def _bits(surface: FlatSurface) -> Accepted[Bits] | Rejected:
+    spheres = surface.vertices - len(surface.vertex) // 6
     if spheres != 2:
         return _not_one("it has several components")
     ones = surface.vertices - 4
     to = Encoder()
-    encoded(tree_word(surface)[len(FRONT) : -len(BACK)], 3 * ones, ones, to)
+    encoded(flat_tree_word(surface)[len(FRONT) : -len(BACK)], 3 * ones, ones, to)
     return Accepted(pack(to.finish()))
 
 

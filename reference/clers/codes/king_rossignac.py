@@ -3,7 +3,6 @@
 No two of the three are long on the same symbol, so that the shortest is at most their mean.
 """
 
-from collections import Counter
 from typing import Final
 
 from clers.arithmetic.bits import Bits, pack
@@ -41,9 +40,11 @@ def lengths(symbols: str, head: str) -> tuple[int, ...]:
 
     The symbols have neither CL nor CE. Clause: CODE-KR-4.
     """
-    pairs = Counter(zip([head, *symbols], symbols, strict=False))
-    fixed = sum(n * len(AFTER_C[x]) for (before, x), n in pairs.items() if before == "C")
-    free = [(x, n) for (before, x), n in pairs.items() if before != "C"]
+    whole = head + symbols
+    after_c = {x: whole.count("C" + x) for x in AFTER_C if x != "C"}
+    after_c["C"] = whole[:-1].count("C") - sum(after_c.values())
+    fixed = sum(n * len(AFTER_C[x]) for x, n in after_c.items())
+    free = [(x, symbols.count(x) - after_c.get(x, 0)) for x in OTHERWISE[0]]
     return tuple(fixed + sum(n * len(table[x]) for x, n in free) for table in OTHERWISE)
 
 

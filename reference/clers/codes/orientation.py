@@ -17,5 +17,7 @@ def orientation(edges: HalfEdges) -> bytearray:
 
     The edges of the root face have no direction. Linear. Clauses: CODE-TREE-2, CODE-TREE-3.
     """
-    source, twin = vec[i64](edges.source), vec[i64](edges.twin)
-    return bytearray(iter(tree.oriented(source, twin, edges.vertices)))
+    source = vec[i64](edges.source)
+    beside = (edges.twin[h - 2 if h % 3 == 2 else h + 1] for h in range(len(edges.twin)))
+    opposite = vec[i64](h - 1 if h % 3 else h + 2 for h in beside)
+    return bytearray(iter(tree.oriented(source, opposite, edges.vertices)))

@@ -1,8 +1,6 @@
 """From a rooted triangulation to the word of its tree: once about the tree, a bit for each step."""
 
-from librt.vecs import vec
-from mypy_extensions import i64
-
+from clers.complexes.flat_surface import FlatSurface, flat
 from clers.complexes.surface import Surface
 from clers.kernels import tree
 
@@ -13,5 +11,10 @@ def tree_word(sphere: Surface) -> bytes:
     Linear; what is no connected closed surface of genus 0 has no word and must not be given.
     Clauses: CODE-TREE-1 … CODE-TREE-4.
     """
-    twin = tree.twins(vec[i64](sphere.opposite))
-    return tree.word(twin, tree.oriented(vec[i64](sphere.vertex), twin, sphere.vertices))
+    return flat_tree_word(flat(sphere))
+
+
+def flat_tree_word(sphere: FlatSurface) -> bytes:
+    """The same of a sphere as kernels have it."""
+    out = tree.oriented(sphere.vertex, sphere.opposite, sphere.vertices)
+    return tree.word(sphere.opposite, out)

@@ -1,11 +1,30 @@
 """Surfaces from and into the flat arrays that kernels work on."""
 
+from dataclasses import dataclass
 from typing import TypeGuard
 
 from librt.vecs import vec
 from mypy_extensions import i64
 
 from clers.complexes.surface import Corner, Surface, Vertex
+
+
+@dataclass(frozen=True, slots=True)
+class FlatSurface:
+    """A surface as kernels have it; see `Surface`. Clause: CPLX-CORNER-2."""
+
+    vertex: vec[i64]
+    opposite: vec[i64]
+    vertices: int
+
+    def surface(self) -> Surface:
+        """The same for all others."""
+        return of_flat(self.vertex, self.opposite, self.vertices)
+
+
+def flat(surface: Surface) -> FlatSurface:
+    """The same for kernels."""
+    return FlatSurface(vec[i64](surface.vertex), vec[i64](surface.opposite), surface.vertices)
 
 
 def of_flat(vertex: vec[i64], opposite: vec[i64], vertices: int) -> Surface:

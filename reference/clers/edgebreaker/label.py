@@ -10,7 +10,7 @@ from mypy_extensions import i64
 
 from clers.complexes.corner_table import by_clauses
 from clers.complexes.face_list import FaceList, Limits
-from clers.complexes.flat_surface import of_flat
+from clers.complexes.flat_surface import FlatSurface, flat
 from clers.complexes.surface import Surface
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
@@ -29,21 +29,21 @@ def label(outlined: Outline, glued: Sequence[int]) -> Accepted[Surface] | Reject
     `glued[c]` is the corner opposite to c, or BORDER. Vertices are numbered by EB-ORDER-1. Linear.
     Clauses: EB-ORDER-1, EB-GRAMMAR-9.
     """
-    return and_then(scanned(outlined.stream), lambda scan: labelled(scan, vec[i64](glued)))
+    found = and_then(scanned(outlined.stream), lambda scan: labelled(scan, vec[i64](glued)))
+    return and_then(found, lambda flat: Accepted(flat.surface()))
 
 
-def labelled(scan: Scan, opposite: vec[i64]) -> Accepted[Surface] | Rejected:
+def labelled(scan: Scan, opposite: vec[i64]) -> Accepted[FlatSurface] | Rejected:
     """The same of a stream that was scanned.
 
-    Each name goes to one fan, so that only faces with a vertex twice and edges with three faces
-    are left to look for; where all is well, those that share an edge are those that were glued.
+    Each name goes to one fan, so that only faces with a vertex twice, faces on the same vertices,
+    and edges with three faces are left to look for.
     """
     naming = named(scan, opposite)
-    vertex, count = naming.vertex, naming.count
-    across = table.opposites(vertex, count) if table.distinct(vertex) else vec[i64]()
-    if len(across) > 0:
-        return Accepted(of_flat(vertex, across, count))
-    return _simplicial(scan, of_flat(vertex, opposite, count))
+    found = FlatSurface(naming.vertex, opposite, naming.count)
+    if table.distinct(found.vertex) and table.simple(found.vertex, opposite, found.vertices):
+        return Accepted(found)
+    return and_then(_simplicial(scan, found.surface()), lambda surface: Accepted(flat(surface)))
 
 
 def _simplicial(scan: Scan, glued: Surface) -> Accepted[Surface] | Rejected:

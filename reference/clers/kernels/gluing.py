@@ -11,7 +11,7 @@ from typing import Final
 from librt.vecs import append, vec
 from mypy_extensions import i64
 
-from clers.kernels.flat import minus_ones, zeros
+from clers.kernels.flat import flags, minus_ones, zeros
 from clers.kernels.scan import C, E, L, R, Scan
 
 SHORT_UNDER_C: Final = 12  # symbol
@@ -42,7 +42,7 @@ class Gluing:
         self.opposite = minus_ones(corners)
         self.after = zeros(corners)
         self.before = zeros(corners)
-        self.state = zeros(corners)
+        self.state = flags(corners)
         self.fault: i64 = 0
         self.where: i64 = 0
         self.detail: i64 = 0

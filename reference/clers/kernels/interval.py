@@ -36,6 +36,17 @@ class Encoder:
         width: i64 = self.high - low + 1
         high: i64 = low + width * upto // total - 1
         low += width * below // total
+        self.settle(low, high)
+
+    def decide(self, yes: bool, no: i64) -> None:
+        """The same of two parts: the first `no` of the interval, or the rest; it has something."""
+        if yes:
+            self.settle(self.low + no, self.high)
+        else:
+            self.settle(self.low, self.low + no - 1)
+
+    def settle(self, low: i64, high: i64) -> None:
+        """Write the bits that are the same in the whole interval, and widen it. ARITH-SHIFT-2."""
         while True:
             if high < HALF:
                 self.out.append(0)
@@ -101,6 +112,22 @@ class Decoder:
         width: i64 = self.high - self.low + 1
         high: i64 = self.low + width * upto // total - 1
         low: i64 = self.low + width * below // total
+        self.settle(low, high)
+
+    def decide(self, no: i64) -> bool:
+        """Which of two parts was meant, the first `no` of the interval or the rest; take it.
+
+        `target` says the same: with the interval's width w, v from its lower end, and some of a
+        total for no, (v + 1) · total - 1 >= w · some if and only if v >= w · some // total.
+        """
+        if self.value >= self.low + no:
+            self.settle(self.low + no, self.high)
+            return True
+        self.settle(self.low, self.low + no - 1)
+        return False
+
+    def settle(self, low: i64, high: i64) -> None:
+        """Shift out the bits that are the same in the whole interval, and read as many."""
         value: i64 = self.value
         bits = self.bits
         end: i64 = len(bits)

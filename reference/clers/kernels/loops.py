@@ -7,8 +7,10 @@ of triangles there, at this place of the loop. All numbers count edges, symbols 
 
 from typing import Final
 
-from librt.vecs import append, vec
+from librt.vecs import append, extend, vec
 from mypy_extensions import i64
+
+from clers.kernels.flat import zeros
 
 C: Final = 0
 R: Final = 1
@@ -25,18 +27,23 @@ GLUED: Final = -1
 
 RIGHT: Final = 0
 
+ROOM: Final = 1024
+"""For so many edges room is made at once."""
+
 
 class Loops:
     """Loops, gates and counts; private and mutable, never seen from outside. CODE-CONTEXT-2.
 
     `passed`, `sides`, `between`: the handle data as it is seen from the end (CODE-HAND-1), a side
-    being RIGHT or not.
+    being RIGHT or not. `expected`: about so many symbols; memory is kept for them, and not touched.
     """
 
-    def __init__(self, passed: vec[i64], sides: vec[i64], between: vec[i64]) -> None:
-        self.after = vec[i64]()
-        self.before = vec[i64]()
-        self.count = vec[i64]()
+    def __init__(self, passed: vec[i64], sides: vec[i64], between: vec[i64], expected: i64) -> None:
+        self.expected = expected
+        self.after = vec[i64](capacity=2 * expected)
+        self.before = vec[i64](capacity=2 * expected)
+        self.count = vec[i64](capacity=2 * expected)
+        self.edges: i64 = 0  # that were numbered
         self.gates = vec[i64]()
         self.height: i64 = 0  # of the stack of gates
         self.valences: i64 = 0  # of the vertex that left a loop last, and 16 times that before
@@ -85,86 +92,126 @@ class Loops:
 
     def undo(self, symbol: i64) -> None:
         """Put the triangle of a symbol on the gate. Clause: CODE-CONTEXT-2."""
+        if self.edges + 3 > len(self.after):
+            self.make_room()
         if symbol == C:
             self.create()
         elif symbol == R:
-            first = self.replace()
+            first: i64 = self.replace()
             self.gates[self.height - 1] = first
-            self.rights = append(self.rights, first + 1)
+            if self.records > 0:
+                self.rights = append(self.rights, first + 1)
         elif symbol == L:
             first = self.replace()
             self.gates[self.height - 1] = first + 1
-            self.lefts = append(self.lefts, first)
+            if self.records > 0:
+                self.lefts = append(self.lefts, first)
         elif symbol == E:
             self.end()
         else:
             self.split()
 
-    def add(self, before: i64, after: i64, count: i64) -> i64:
-        """A new edge between two others."""
-        edge: i64 = len(self.after)
-        self.before = append(self.before, before)
-        self.after = append(self.after, after)
-        self.count = append(self.count, count)
-        return edge
+    def make_room(self) -> None:
+        """Room for more edges."""
+        room = zeros(ROOM)
+        self.after = extend(self.after, room)
+        self.before = extend(self.before, room)
+        self.count = extend(self.count, room)
 
     def end(self) -> None:
         """E: a new loop: the gate, the right and the left edge."""
-        gate: i64 = len(self.after)
-        self.add(gate + 2, gate + 1, 1)
-        self.add(gate, gate + 2, 1)
-        self.add(gate + 1, gate, 1)
+        after = self.after
+        before = self.before
+        count = self.count
+        gate: i64 = self.edges
+        right: i64 = gate + 1
+        left: i64 = gate + 2
+        self.edges = gate + 3
+        after[gate] = right
+        after[right] = left
+        after[left] = gate
+        before[gate] = left
+        before[right] = gate
+        before[left] = right
+        count[gate] = 1
+        count[right] = 1
+        count[left] = 1
         self.push(gate)
-        self.rights = append(self.rights, gate + 1)
-        self.lefts = append(self.lefts, gate + 2)
+        if self.records > 0:
+            self.rights = append(self.rights, right)
+            self.lefts = append(self.lefts, left)
 
     def replace(self) -> i64:
         """R and L: two edges in place of the gate, and a new vertex between; the first of them."""
+        after = self.after
+        before = self.before
+        count = self.count
         e: i64 = self.gate()
-        b: i64 = self.after[e]
-        x: i64 = self.before[e]
-        first: i64 = len(self.after)
-        self.add(x, first + 1, self.count[e] + 1)
-        self.add(first, b, 1)
-        self.after[x] = first
-        self.before[b] = first + 1
-        self.after[e] = GLUED
-        self.count[b] += 1
+        b: i64 = after[e]
+        x: i64 = before[e]
+        first: i64 = self.edges
+        second: i64 = first + 1
+        self.edges = first + 2
+        after[x] = first
+        before[first] = x
+        after[first] = second
+        before[second] = first
+        after[second] = b
+        before[b] = second
+        after[e] = GLUED
+        count[first] = count[e] + 1
+        count[second] = 1
+        count[b] += 1
         return first
 
     def create(self) -> None:
         """C: the start of the old gate leaves the loop; its valence is known now."""
+        after = self.after
+        before = self.before
+        count = self.count
         e: i64 = self.gate()
-        b: i64 = self.after[e]
-        x: i64 = self.before[e]
-        xx: i64 = self.before[x]
-        gate: i64 = self.add(xx, b, self.count[x] + 1)
-        self.after[xx] = gate
-        self.before[b] = gate
-        self.after[e] = GLUED
-        self.after[x] = GLUED
-        self.count[b] += 1
+        b: i64 = after[e]
+        x: i64 = before[e]
+        xx: i64 = before[x]
+        gate: i64 = self.edges
+        self.edges = gate + 1
+        after[xx] = gate
+        before[gate] = xx
+        after[gate] = b
+        before[b] = gate
+        after[e] = GLUED
+        after[x] = GLUED
+        count[gate] = count[x] + 1
+        count[b] += 1
         valence: i64 = self.count[e] + 1
-        self.valences = 16 * self.valences % 256 + (valence if valence < MOST else MOST)
+        if valence > MOST:
+            valence = MOST
+        self.valences = 16 * (self.valences & 15) + valence
         self.gates[self.height - 1] = gate
 
     def split(self) -> None:
         """S: the gate's loop and that of another edge become one, or one becomes two."""
+        after = self.after
+        before = self.before
         e: i64 = self.gate()
         other: i64 = self.other()
-        b: i64 = self.after[e]
-        x: i64 = self.before[e]
-        q: i64 = self.after[other]
-        p: i64 = self.before[other]
+        b: i64 = after[e]
+        x: i64 = before[e]
+        q: i64 = after[other]
+        p: i64 = before[other]
         self.count[b] += 1
         self.count[q] += self.count[e] + 1
-        gate: i64 = self.add(p, b, self.count[other] + 1)
-        self.after[p] = gate
-        self.before[b] = gate
-        self.after[x] = q
-        self.before[q] = x
-        self.after[e] = GLUED
-        self.after[other] = GLUED
+        gate: i64 = self.edges
+        self.edges = gate + 1
+        self.count[gate] = self.count[other] + 1
+        after[p] = gate
+        before[gate] = p
+        after[gate] = b
+        before[b] = gate
+        after[x] = q
+        before[q] = x
+        after[e] = GLUED
+        after[other] = GLUED
         if self.has_record():
             self.met += 1
             self.passed = 0

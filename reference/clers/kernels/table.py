@@ -125,6 +125,58 @@ def one_fan_each(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
     return reached == corners and used == vertices
 
 
+def simple(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
+    """Whether no two edges have the same ends, and no two faces the same vertices. Linear.
+
+    The faces at each vertex are one fan, and no face has a vertex twice. So two faces on the same
+    vertices have the same edges, and are all that is at each vertex.
+    Clauses: CPLX-REJECT-5, CPLX-REJECT-6, CPLX-REJECT-7.
+    """
+    corners: i64 = len(vertex)
+    seen_from = minus_ones(vertices)  # the last vertex that an edge to this one was seen from
+    done = zeros(vertices)
+    c: i64 = 0
+    while c < corners:
+        v: i64 = vertex[c]
+        if done[v] == 0:
+            done[v] = 1
+            faces: i64 = 0
+            d: i64 = c
+            o: i64 = 0
+            while True:
+                faces += 1
+                a: i64 = d - 2 if d % 3 == 2 else d + 1
+                b: i64 = d - 1 if d % 3 else d + 2
+                w: i64 = vertex[b]
+                if seen_from[w] == v:
+                    return False
+                seen_from[w] = v
+                o = opposite[a]
+                if o < 0:
+                    break
+                d = o - 2 if o % 3 == 2 else o + 1
+                if d == c:
+                    break
+            if o >= 0:
+                if faces < 3:
+                    return False
+            else:
+                d = c
+                while True:
+                    a = d - 2 if d % 3 == 2 else d + 1
+                    b = d - 1 if d % 3 else d + 2
+                    w = vertex[a]
+                    if seen_from[w] == v:
+                        return False
+                    seen_from[w] = v
+                    o = opposite[b]
+                    if o < 0:
+                        break
+                    d = o - 1 if o % 3 else o + 2
+        c += 1
+    return True
+
+
 def distinct(vertex: vec[i64]) -> bool:
     """Whether no face has a vertex twice. Clause: CPLX-REJECT-4."""
     corners: i64 = len(vertex)

@@ -8,48 +8,36 @@ from typing import Final
 
 from librt.strings import BytesWriter
 from librt.vecs import append, vec
-from mypy_extensions import i64
+from mypy_extensions import i64, u8
 
-from clers.kernels.flat import minus_ones, zeros
+from clers.kernels.flat import flags, minus_ones, zeros
 
-CUT: Final = 1
-UP: Final = 2
-
-
-def twins(opposite: vec[i64]) -> vec[i64]:
-    """For each half-edge the one that runs the other way, on a closed surface. CODE-TREE-1."""
-    corners: i64 = len(opposite)
-    twin = zeros(corners)
-    h: i64 = 0
-    while h < corners:
-        d: i64 = opposite[h - 1 if h % 3 else h + 2]
-        twin[h] = d - 2 if d % 3 == 2 else d + 1
-        h += 1
-    return twin
+OUT: Final = 1
+CUT: Final = 2
+UP: Final = 3
+"""What is known of a half-edge: directed so, cut off by the tree's word, or gone up by it."""
 
 
 class Shelling:
     """The path that bounds what is left, as a linked list of vertices; private and mutable.
 
-    `out[h]`: whether the edge of half-edge h is directed so. Linear. CODE-TREE-2, CODE-TREE-3.
+    `out[h]`: OUT if the edge of half-edge h is directed so. From h = (x, y) with the third vertex z
+    the half-edge (y, x) is the one after `opposite` of (z, x), and the next about x is the one
+    after `opposite` of (y, z). Linear. CODE-TREE-1, CODE-TREE-2, CODE-TREE-3.
     """
 
-    def __init__(self, source: vec[i64], twin: vec[i64], vertices: i64) -> None:
+    def __init__(self, source: vec[i64], opposite: vec[i64], vertices: i64) -> None:
         self.source = source
-        self.twin = twin
-        self.out = zeros(len(source))
+        self.opposite = opposite
+        self.out = flags(len(source))
         self.before = minus_ones(vertices)
         self.after = minus_ones(vertices)
         self.to_before = minus_ones(vertices)  # the half-edge of a vertex to the one before
-        self.on_path = zeros(vertices)
-        self.new = zeros(vertices)
+        self.on_path = flags(vertices)
+        self.new = flags(vertices)
         self.chords = zeros(vertices)
         self.todo = vec[i64]()
         self.height: i64 = 0
-
-    def turn(self, h: i64) -> i64:
-        """The next half-edge about the same vertex."""
-        return self.twin[h + 2 if h % 3 == 0 else h - 1]
 
     def push(self, v: i64) -> None:
         """Put a vertex on the stack of those to look at."""
@@ -68,104 +56,136 @@ class Shelling:
         self.before[v1] = v0
         self.after[v0] = v1
         self.after[v2] = v0
-        self.to_before[v0] = self.turn(0)
+        self.to_before[v0] = turned(self.opposite, 0)
         self.to_before[v1] = 0
         self.on_path[v0] = 1
         self.on_path[v1] = 1
         self.on_path[v2] = 1
         self.push(v0)
+        before = self.before
+        after = self.after
+        on_path = self.on_path
+        chords = self.chords
         while self.height > 0:
             self.height -= 1
             x: i64 = self.todo[self.height]
-            inside: bool = self.before[x] >= 0 and self.after[x] >= 0
-            if inside and self.on_path[x] and self.chords[x] == 0:
+            if on_path[x] != 0 and chords[x] == 0 and before[x] >= 0 and after[x] >= 0:
                 self.leave(x)
 
     def leave(self, x: i64) -> None:
         """Take x away; the part of the path that is touched is looked at next."""
-        low: i64 = self.before[x]
-        high: i64 = self.after[x]
+        opposite = self.opposite
+        source = self.source
+        before = self.before
+        after = self.after
+        to_before = self.to_before
+        out = self.out
+        low: i64 = before[x]
+        high: i64 = after[x]
         self.on_path[x] = 0
         first: i64 = self.height
         self.push(low)
         previous: i64 = low
-        start: i64 = self.to_before[x]
+        start: i64 = to_before[x]
         h: i64 = start
         while True:
-            beyond: i64 = self.twin[h - 2 if h % 3 == 2 else h + 1]
-            y: i64 = self.source[beyond]
-            self.before[y] = previous
-            self.after[previous] = y
-            self.to_before[y] = beyond
+            d: i64 = opposite[h]
+            beyond: i64 = d - 2 if d % 3 == 2 else d + 1
+            y: i64 = source[beyond]
+            before[y] = previous
+            after[previous] = y
+            to_before[y] = beyond
             self.push(y)
             previous = y
-            h = self.turn(h)
+            d = opposite[h - 2 if h % 3 == 2 else h + 1]
+            h = d - 2 if d % 3 == 2 else d + 1
             if y == high:
                 break
-            self.out[self.twin[h]] = 1
-        if x != self.source[0]:
-            self.out[start] = 1
-            self.out[h] = 1
+            d = opposite[h - 1 if h % 3 else h + 2]
+            out[d - 2 if d % 3 == 2 else d + 1] = OUT
+        if x != source[0]:
+            out[start] = OUT
+            out[h] = OUT
         last: i64 = self.height - 1
         if last == first + 1:
             self.chords[low] -= 1
             self.chords[high] -= 1
             return
+        todo = self.todo
         k: i64 = first + 1
         while k < last:
-            self.on_path[self.todo[k]] = 1
-            self.new[self.todo[k]] = 1
+            self.on_path[todo[k]] = 1
+            self.new[todo[k]] = 1
             k += 1
         k = first + 1
         while k < last:
-            self.count_chords(self.todo[k])
+            self.count_chords(todo[k])
             k += 1
         k = first + 1
         while k < last:
-            self.new[self.todo[k]] = 0
+            self.new[todo[k]] = 0
             k += 1
 
     def count_chords(self, y: i64) -> None:
         """Count the edges from a new vertex of the path to others of it, not beside it."""
+        opposite = self.opposite
+        source = self.source
+        on_path = self.on_path
+        before: i64 = self.before[y]
+        after: i64 = self.after[y]
         start: i64 = self.to_before[y]
         h: i64 = start
         while True:
-            z: i64 = self.source[self.twin[h]]
-            if self.on_path[z] and z != self.before[y] and z != self.after[y]:
+            on: i64 = h - 2 if h % 3 == 2 else h + 1
+            z: i64 = source[on]
+            if on_path[z] != 0 and z != before and z != after:
                 self.chords[y] += 1
-                self.chords[z] += 1 - self.new[z]
-            h = self.turn(h)
+                if self.new[z] == 0:
+                    self.chords[z] += 1
+            d: i64 = opposite[on]
+            h = d - 2 if d % 3 == 2 else d + 1
             if h == start:
                 return
 
 
-def oriented(source: vec[i64], twin: vec[i64], vertices: i64) -> vec[i64]:
-    """For each half-edge 1 if its edge is directed so, else 0; the root is corner 0."""
-    shelling = Shelling(source, twin, vertices)
+def turned(opposite: vec[i64], h: i64) -> i64:
+    """The next half-edge about the same vertex."""
+    d: i64 = opposite[h - 2 if h % 3 == 2 else h + 1]
+    return d - 2 if d % 3 == 2 else d + 1
+
+
+def oriented(source: vec[i64], opposite: vec[i64], vertices: i64) -> vec[u8]:
+    """For each half-edge OUT if its edge is directed so, else 0; the root is corner 0."""
+    shelling = Shelling(source, opposite, vertices)
     shelling.run()
     return shelling.out
 
 
-def word(twin: vec[i64], out: vec[i64]) -> bytes:
-    """The word of the tree, a bit in each byte: once about the tree. Linear. CODE-TREE-4."""
-    met = zeros(len(twin))
+def word(opposite: vec[i64], out: vec[u8]) -> bytes:
+    """The word of the tree, a bit in each byte: once about the tree. Linear. CODE-TREE-4.
+
+    `out` is what `oriented` gives, and used up.
+    """
     found = BytesWriter()
-    h: i64 = twin[twin[2] - 1 if twin[2] % 3 else twin[2] + 2]
+    d: i64 = opposite[1]
+    h: i64 = turned(opposite, d - 2 if d % 3 == 2 else d + 1)
     while h != 0:
-        if met[h] == UP:
-            found.append(0)
-            h = twin[h]
-        elif met[h] == CUT:
-            pass
-        elif out[h]:
-            found.append(0)
-            met[h] = CUT
-            met[twin[h]] = CUT
-        else:
-            found.append(1)
-            h = twin[h]
-            met[h] = UP
-        h = twin[h - 1 if h % 3 else h + 2]
+        known: u8 = out[h]
+        if known != CUT:
+            d = opposite[h - 1 if h % 3 else h + 2]
+            twin: i64 = d - 2 if d % 3 == 2 else d + 1
+            if known == UP:
+                found.append(0)
+                h = twin
+            elif known == OUT:
+                found.append(0)
+                out[twin] = CUT
+            else:
+                found.append(1)
+                h = twin
+                out[h] = UP
+        d = opposite[h - 2 if h % 3 == 2 else h + 1]
+        h = d - 2 if d % 3 == 2 else d + 1
     return found.getvalue()
 
 

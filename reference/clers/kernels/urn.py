@@ -15,16 +15,12 @@ def encoded(bits: bytes, zeros: i64, ones: i64, to: Encoder) -> i64:
     i: i64 = 0
     while i < n:
         total: i64 = zeros + ones
-        if bits[i]:
-            if ones == 0:
-                return i
-            to.narrow(zeros, total, total)
-            ones -= 1
-        else:
-            if zeros == 0:
-                return i
-            to.narrow(0, zeros, total)
-            zeros -= 1
+        bit: i64 = bits[i]
+        if (ones if bit else zeros) == 0:
+            return i
+        to.decide(bit == 1, (to.high - to.low + 1) * zeros // total)
+        ones -= bit
+        zeros -= 1 - bit
         i += 1
     return -1
 
@@ -34,14 +30,9 @@ def decoded(zeros: i64, ones: i64, longest: i64, of: Decoder) -> bytes:
     out = BytesWriter()
     while zeros + ones > 0:
         total: i64 = zeros + ones
-        if of.target(total) >= zeros:
-            of.narrow(zeros, total, total)
-            ones -= 1
-            bit: i64 = 1
-        else:
-            of.narrow(0, zeros, total)
-            zeros -= 1
-            bit = 0
+        bit: i64 = 1 if of.decide((of.high - of.low + 1) * zeros // total) else 0
+        ones -= bit
+        zeros -= 1 - bit
         if of.at - AHEAD > longest:
             break
         out.append(bit)
