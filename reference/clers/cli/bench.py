@@ -2,7 +2,7 @@
 
 import typer
 
-from clers.cli import bits, codec_survey
+from clers.cli import bits, codec_survey, speed
 from clers.cli.meshes import AsJson
 from clers.cli.output import json, line, progress, table
 
@@ -12,6 +12,7 @@ app = typer.Typer(
 app.command()(bits.bits)
 app.command()(bits.bounds)
 app.command()(codec_survey.codecs)
+app.command()(speed.speed)
 
 
 @app.command()

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from random import Random
-from time import perf_counter
 from typing import TypeVar
 
+from clers.codes.closings import closings
 from clers.codes.registry import CodeName
 from clers.codes.registry import decode as decode_word
 from clers.codes.registry import encode as encode_word
@@ -16,16 +16,17 @@ from clers.conventions.result import Accepted, Rejected
 from clers.edgebreaker.decode import decode
 from clers.edgebreaker.encode import encode
 from clers.geometry.positions import Precision, positions
+from clers.measure.clock import Spent, now
 
 T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
 class Timed:
-    """A step of the path and the seconds it took."""
+    """A step of the path, and what it took."""
 
     step: str
-    seconds: float
+    spent: Spent
 
 
 def shuffled(given: FaceList, seed: int) -> FaceList:
@@ -47,37 +48,37 @@ def must(result: Accepted[T] | Rejected) -> T:
             raise AssertionError(rejected.line())
 
 
-def timed_path(given: FaceList) -> Iterator[Timed]:
-    """Walk the whole path once, from a face list to bytes and back, and time each step."""
-    start = perf_counter()
+def timed_path(given: FaceList, code: CodeName = CodeName.GOLDEN) -> Iterator[Timed]:
+    """Walk the whole path once, from a face list to bytes and back, and time each step.
+
+    The caller may end it after any step.
+    """
+    start = now()
 
     def since(step: str) -> Timed:
         nonlocal start
-        timed = Timed(step, perf_counter() - start)
-        start = perf_counter()
-        return timed
+        spent = now() - start
+        start = now()
+        return Timed(step, spent)
 
     built = must(surface(given))
     yield since("surface")
     encoding = encode(built)
+    stream = encoding.stream
     yield since("walk")
-    bits = must(encode_word(CodeName.GOLDEN, encoding.stream))
+    bits = must(encode_word(code, stream))
     yield since("code")
-    word = must(
-        decode_word(
-            CodeName.GOLDEN,
-            bits,
-            len(encoding.stream.word),
-            encoding.stream.components_with_boundary,
-        )
-    )
+    seen = must(closings(stream))
+    start = now()
+    components = stream.components_with_boundary
+    word = must(decode_word(code, bits, len(stream.word), components, seen))
     yield since("decode code")
-    assert word == encoding.stream.word
-    must(decode(encoding.stream))
+    assert word == stream.word
+    must(decode(stream))
     yield since("decode walk")
     count = given.vertices
     places = must(positions(Precision.F32, [float(i % 1024) for i in range(3 * count)], count))
-    start = perf_counter()
+    start = now()
     data = must(file.encode(built, places))
     yield since("write file")
     must(file.decode(data))

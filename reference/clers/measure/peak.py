@@ -9,6 +9,7 @@ from clers.generate.families import sphere_of
 from clers.measure.path import timed_path
 
 STATUS: Final = Path("/proc/self/status")
+FORGETTING: Final = Path("/proc/self/clear_refs")
 
 
 def peak_bytes() -> int:
@@ -22,6 +23,12 @@ def peak_bytes() -> int:
                 return 1024 * int(line.split()[1])
     unit = 1 if sys.platform == "darwin" else 1024
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
+
+
+def forget_peak() -> None:
+    """Let the peak begin anew with what this process has now, where the system can do that."""
+    if FORGETTING.exists():
+        FORGETTING.write_text("5")
 
 
 def main() -> None:

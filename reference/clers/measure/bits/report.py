@@ -71,7 +71,7 @@ def assembled(found: Sequence[Row]) -> Report:
         platform.python_version(),
         f"{platform.machine()}, {cpu_count()} cores",
         datetime.now(UTC).date().isoformat(),
-        {package: _version(package) for package in sorted({p.package for p in PEERS} - {""})},
+        {package: version_of(package) for package in sorted({p.package for p in PEERS} - {""})},
         rows,
         geometric_mean([mesh.ratio for mesh in rows if mesh.ratio is not None]),
         tuple(mesh for mesh in found if isinstance(mesh, Refused)),
@@ -87,7 +87,7 @@ def geometric_mean(ratios: list[float]) -> float | None:
     return exp(fsum(log(x) for x in ratios) / len(ratios)) if ratios else None
 
 
-def _version(package: str) -> str:
+def version_of(package: str) -> str:
     """The version that is installed, or that none is. Clause: TOOL-BITS-6."""
     try:
         return version(package)

@@ -97,8 +97,8 @@ def page(of: Report, command: str) -> str:
     ]
     for table in tables(of):
         lines += [f"## {table.title[0].upper()}{table.title[1:]}", ""]
-        lines += [_piped(table.heads), _piped(("---", *["---:"] * (len(table.heads) - 1)))]
-        lines += [*map(_piped, table.rows), ""]
+        lines += [piped(table.heads), piped(("---", *["---:"] * (len(table.heads) - 1)))]
+        lines += [*map(piped, table.rows), ""]
     if of.refused:
         lines += ["## Refused", ""]
         lines += [f"- {mesh.mesh}: {mesh.why}" for mesh in of.refused]
@@ -106,5 +106,6 @@ def page(of: Report, command: str) -> str:
     return "\n".join(lines)
 
 
-def _piped(cells: tuple[str, ...]) -> str:
+def piped(cells: tuple[str, ...]) -> str:
+    """A row of a table of a page."""
     return f"| {' | '.join(cells)} |"

@@ -1,9 +1,11 @@
 """Draco's Edgebreaker, standard and valence, by the package DracoPy."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 
 from clers.complexes.surface import Surface
 from clers.conventions.clause import Clause
@@ -16,15 +18,33 @@ PACKAGE: Final = "DracoPy"
 ROW: Final = 4096
 
 
+@dataclass(frozen=True, slots=True)
+class Arrays:
+    """What DracoPy is given: a place for each vertex, and three vertices for each face."""
+
+    places: npt.NDArray[np.float32]
+    faces: npt.NDArray[np.uint32]
+
+
+def arrays(surface: Surface) -> Arrays:
+    """Each vertex at a place of its own. Clause: TOOL-BITS-2."""
+    numbers = np.arange(surface.vertices)
+    places = np.stack((numbers % ROW, numbers // ROW, 0 * numbers), axis=1).astype(np.float32)
+    return Arrays(places, np.array(surface.vertex, dtype=np.uint32).reshape(-1, 3))
+
+
 def encoded(surface: Surface, level: int) -> Accepted[bytes] | Rejected:
     """The Draco file of a surface, each vertex at a place of its own. Clause: TOOL-BITS-2."""
+    return encoded_arrays(arrays(surface), level)
+
+
+def encoded_arrays(given: Arrays, level: int) -> Accepted[bytes] | Rejected:
+    """The Draco file of arrays that are there already. Clauses: TOOL-BITS-2, TOOL-SPEED-4."""
     try:
         import DracoPy
     except ImportError:
         return not_installed(PACKAGE)
-    numbers = np.arange(surface.vertices)
-    places = np.stack((numbers % ROW, numbers // ROW, 0 * numbers), axis=1).astype(np.float32)
-    faces = np.array(surface.vertex, dtype=np.uint32).reshape(-1, 3)
+    places, faces = given.places, given.faces
     data = DracoPy.encode(places, faces, quantization_bits=1, compression_level=level)
     return Accepted(bytes(data))
 

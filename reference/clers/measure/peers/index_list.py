@@ -11,8 +11,10 @@ from clers.complexes.surface import Surface
 from clers.conventions.result import Accepted, Rejected, and_then
 from clers.measure.peers.peer import Peer, not_installed
 
+Indices = npt.NDArray[np.uint32]
 
-def index_list(surface: Surface) -> npt.NDArray[np.uint32]:
+
+def index_list(surface: Surface) -> Indices:
     """Three vertex numbers for each face, in the mesh's order. Clause: TOOL-BITS-4."""
     return np.array(surface.vertex, dtype="<u4")
 
@@ -47,6 +49,13 @@ def by_meshoptimizer(surface: Surface) -> Accepted[int] | Rejected:
 
 def reordered(surface: Surface) -> Accepted[bytes] | Rejected:
     """The output of meshoptimizer's index codec, before zstd. Clause: TOOL-BITS-4."""
+    return and_then(
+        renumbered(surface), lambda named: Accepted(by_index_codec(named, surface.vertices))
+    )
+
+
+def renumbered(surface: Surface) -> Accepted[Indices] | Rejected:
+    """The list that meshoptimizer's index codec is given. Clause: TOOL-BITS-4."""
     try:
         import meshoptimizer
     except ImportError:
@@ -57,7 +66,14 @@ def reordered(surface: Surface) -> Accepted[bytes] | Rejected:
     names = np.zeros(surface.vertices, dtype=np.uint32)
     meshoptimizer.optimize_vertex_fetch_remap(names, cached, len(cached), surface.vertices)
     meshoptimizer.remap_index_buffer(named, cached, len(cached), names)
-    return Accepted(bytes(meshoptimizer.encode_index_buffer(named, len(named), surface.vertices)))
+    return Accepted(named)
+
+
+def by_index_codec(named: Indices, vertices: int) -> bytes:
+    """meshoptimizer's index codec itself. Clauses: TOOL-BITS-4, TOOL-SPEED-4."""
+    import meshoptimizer
+
+    return bytes(meshoptimizer.encode_index_buffer(named, len(named), vertices))
 
 
 INDEX_LISTS: Final = (

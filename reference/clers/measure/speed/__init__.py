@@ -1,0 +1,1 @@
+"""How fast the path is, beside peers, in one run."""
