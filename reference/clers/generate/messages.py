@@ -135,7 +135,12 @@ def _by_automata(draw: st.DrawFn) -> ByAutomaton:
     code = REFERENCE.encode(start, symbols)
     right = pack([]) if isinstance(code, Rejected) else code.value
     bits = draw(st.one_of(st.just(right), BIT_STRINGS, BIT_STRINGS.map(right.followed_by)))
-    place, symbol = draw(st.integers(0, len(symbols))), draw(st.integers(-1, 300))
+    place, here = draw(st.integers(0, len(symbols))), start
+    for symbol in symbols[:place]:
+        here = here.after(symbol)
+    size = len(here.cumulative) - 1
+    forbidden = set(range(-1, size + 1)) - set(_allowed(here.cumulative))
+    symbol = draw(st.sampled_from([*sorted(forbidden), 256]))
     strange = (*symbols[:place], symbol, *symbols[place + 1 :])
     return ByAutomaton(start, draw(st.sampled_from([symbols, strange])), bits)
 
