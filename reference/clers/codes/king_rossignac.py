@@ -41,7 +41,7 @@ def lengths(symbols: str, head: str) -> tuple[int, ...]:
     The symbols have neither CL nor CE. Clause: CODE-KR-4.
     """
     whole = head + symbols
-    after_c = {x: whole.count("C" + x) for x in AFTER_C if x != "C"}
+    after_c = {x: whole.count("C" + x) for x in "SR"}
     after_c["C"] = whole[:-1].count("C") - sum(after_c.values())
     fixed = sum(n * len(AFTER_C[x]) for x, n in after_c.items())
     free = [(x, symbols.count(x) - after_c.get(x, 0)) for x in OTHERWISE[0]]
