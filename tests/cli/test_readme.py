@@ -1,7 +1,9 @@
 """What the readme shows is what the program prints."""
 
+import os
 import re
 import shlex
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
@@ -27,6 +29,7 @@ def sessions() -> Iterator[tuple[str, str]]:
 def test_the_readme_is_true(command: str, shown: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Every command that is shown; one that is cut off is shown from its beginning."""
     monkeypatch.chdir(ROOT)
+    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
     program, *arguments = shlex.split(command)
     assert program == "clers"
     done = CliRunner().invoke(app, arguments)

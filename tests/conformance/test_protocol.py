@@ -159,10 +159,17 @@ def test_the_example_of_the_page() -> None:
     page = (FILE.parents[1] / "09-conformance.md").read_text()
     block = page.partition("```\n>")[2].partition("```")[0]
     lines = f">{block}".replace("\n     ", "").splitlines()
-    assert [line[0] for line in lines] == list("><><<>")
+    assert [line[0] for line in lines] == list("><><<<<<>")
     for line in lines:
         message = line[2:].encode()
         read = request_in(message) if line[0] == ">" else reply_in(message)
         assert not isinstance(read, NoMessage), read
-    *_, last = said(lines[2][2:].encode())
-    assert line_of(last).decode().rstrip() == lines[4][2:]
+    ours = [json.loads(line_of(reply)) for reply in said(lines[2][2:].encode())]
+    shown = [json.loads(line[2:]) for line in lines[3:-1]]
+    assert ours[-1] == shown[-1]
+    told = [
+        {key: reply["ev"][key] for key in event["ev"]}
+        for reply, event in zip(ours, shown[:-1], strict=False)
+    ]
+    assert told == [event["ev"] for event in shown[:-1]]
+    assert len(ours) == len(shown)

@@ -384,6 +384,13 @@ def test_the_command_draws_by_a_seed(tmp_path: Path) -> None:
     assert isinstance(reached(folder), str), "the suite is not good"
 
 
+def test_lines_that_cannot_be_counted(small: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Clause: ORCL-MUTANT-7."""
+    monkeypatch.setattr("clers.oracle.mutants.reached.reached", lambda _: "no coverage")
+    done = CliRunner().invoke(app, ["mutants", "--vectors", str(small), "--automatic", "2"])
+    assert (done.exit_code, done.stdout, done.stderr) == (4, "", "clers mutants: no coverage\n")
+
+
 def adapters_with(mark: str) -> list[int]:
     """The adapters of mutants that run with a mark in their environment."""
     found: list[int] = []

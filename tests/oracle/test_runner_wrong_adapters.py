@@ -157,7 +157,7 @@ PASS, FLAKY, CRASH = {Status.PASS}, {Status.PASS, Status.FLAKY}, {Status.CRASH}
 PROTOCOL = {Status.PROTOCOL}
 PLUMBING: dict[str, tuple[Bounds, set[Status]]] = {
     "good": (SMALL, PASS),
-    "accepts_all": (SMALL, PASS | FAIL),
+    "accepts_everything": (SMALL, PASS | FAIL),
     "answers_twice": (SMALL, PROTOCOL),
     "changes_its_mind": (SMALL, {Status.ERROR}),
     "chats": (SMALL, PROTOCOL),
@@ -171,7 +171,7 @@ PLUMBING: dict[str, tuple[Bounds, set[Status]]] = {
     "leaves_a_child_and_crashes": (SMALL, CRASH),
     "loses_letters": (SMALL, PASS | FAIL),
     "reads_nothing": (HASTY, {Status.TIMEOUT}),
-    "rejects_all": (SMALL, PASS | FAIL),
+    "rejects_everything": (SMALL, PASS | FAIL),
     "starts_slowly": (SMALL, PASS),
     "stays_after_bye": (SMALL, PASS),
     "talks_back": (SMALL, PASS),

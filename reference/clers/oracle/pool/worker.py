@@ -95,7 +95,11 @@ def _interrupts_held() -> Iterator[None]:
 
 
 def _leave(number: int, frame: FrameType | None) -> None:
-    """Asked to end: unwind, so that whatever the task has started is ended. ORCL-POOL-4."""
+    """Asked to end: unwind, so that whatever the task has started is ended. ORCL-POOL-4.
+
+    Once: who asks again must not disturb the unwinding.
+    """
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise SystemExit(128 + number)
 
 
@@ -108,8 +112,17 @@ def _work(task: Callable[[A], Iterable[B]], pipe: "Connection[Message[B], A]") -
         while True:
             with closing(_said(task, pipe.recv())) as messages:
                 for message in messages:
-                    pipe.send(message)
+                    _send(pipe, message)
     signal.signal(signal.SIGTERM, signal.SIG_IGN)  # it ends anyway
+
+
+def _send(pipe: "Connection[Message[B], A]", message: Message[B]) -> None:
+    """Say something; if nobody hears it, the task is ended, and nothing disturbs its ending."""
+    try:
+        pipe.send(message)
+    except (BrokenPipeError, ConnectionResetError):
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+        raise
 
 
 def _said(task: Callable[[A], Iterable[B]], item: A) -> Generator[Message[B], None, None]:
