@@ -126,23 +126,6 @@ MUTANTS: Final = (
         "The last loop is glued to the first triangle in the wrong turn.",
     ),
     Mutant(
-        "long-last-loop",
-        Clause.EB_GRAMMAR_8,
-        GLUING,
-        """\
-            if length != 3:
-                return self.blame(LEFT_OPEN, start, length)
-""",
-        """\
-            if length < 3:
-                return self.blame(LEFT_OPEN, start, length)
-            while self.state[edge] != CURVE:
-                self.state[edge] = CURVE
-                edge = self.after[edge]
-""",
-        "The last loop of a closed component may be longer than three.",
-    ),
-    Mutant(
         "first-curve-of-two",
         Clause.EB_GRAMMAR_8,
         GLUING,
