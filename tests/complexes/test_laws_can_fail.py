@@ -5,7 +5,7 @@ from golden_complexes import BOW_TIE, TETRAHEDRON, accepted
 
 from clers.complexes.face_list import FaceList
 from clers.complexes.laws import LAWS
-from clers.complexes.surface import BORDER, Corner, Surface, Vertex
+from clers.complexes.surface import BORDER, Corner, Surface, Vertex, corners_listed
 from clers.conventions.verdict import Fails, Holds
 
 
@@ -13,7 +13,7 @@ def table(of: FaceList, opposite: tuple[int, ...] | None = None) -> Surface:
     """A corner table that nobody checked; all corners at the border if nothing else is said."""
     vertex = tuple(Vertex(v) for face in of.faces for v in face)
     known = (BORDER,) * len(vertex) if opposite is None else tuple(map(Corner, opposite))
-    return Surface(vertex, known, of.vertices)
+    return corners_listed(vertex, known, of.vertices)
 
 
 def changed(opposite: tuple[Corner, ...], **at: int) -> tuple[int, ...]:

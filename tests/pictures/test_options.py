@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from pictured import globe, picture, placed
 
+from clers.complexes.row import listed
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -108,7 +109,7 @@ def test_what_is_refused(options: Options, points: int, expected: Reason | None)
 def test_another_encoding_is_refused() -> None:
     """Clause: TOOL-PICTURE-11."""
     own = encode(CUBE)
-    other = replace(own, vertex_order=own.vertex_order[::-1])
+    other = replace(own, vertex_row=listed(own.vertex_order[::-1]))
     assert reason(other, Options()) is Reason.NOT_DRAWABLE
     assert reason(encode(TORUS), Options()) is Reason.NOT_DRAWABLE
     broken = draw(CUBE, replace(own, stream=Stream("CX")))

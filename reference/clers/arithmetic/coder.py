@@ -3,7 +3,7 @@
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, TypeVar
 
 from clers.arithmetic.bits import Bits, pack
 from clers.arithmetic.by_automaton import Started, as_bytes, tables_of
@@ -15,6 +15,8 @@ from clers.conventions.where import AtSymbol
 from clers.information.model import MAXIMUM_TOTAL, Model, not_in_alphabet, over_maximum
 from clers.kernels.automaton import decoded, encoded
 from clers.kernels.interval import AHEAD, Decoder, Encoder
+
+T = TypeVar("T")
 
 SHORTEST: Final = 2
 """The bits of the empty message. Clause: ARITH-END-1."""
@@ -85,19 +87,51 @@ def decode(model: Model, bits: Bits, count: int) -> Accepted[tuple[int, ...]] | 
 
     Linear in symbols and bits. Clauses: ARITH-STRICT-1 … ARITH-STRICT-4.
     """
-    reading = _read(model, bits, count, bits.length)
-    return and_then(reading, lambda found: strictly(found, bits))
+    return and_then(_read(model, bits, count, bits.length), lambda found: strictly(found, bits))
+
+
+def decode_bytes(model: Model, bits: Bits, count: int) -> Accepted[bytes] | Rejected:
+    """The same of a model whose symbols are all below 256, each in a byte."""
+    tables = tables_of(model)
+    if tables is None or bits.length < SHORTEST:
+        return and_then(decode(model, bits, count), lambda found: Accepted(bytes(found)))
+    of = Decoder(bits.values())
+    found = _read_by(tables, of, bits, count, bits.length)
+    return and_then(found, lambda numbers: ended(numbers, of, bits))
 
 
 def strictly(found: Reading, bits: Bits) -> Accepted[tuple[int, ...]] | Rejected:
     """The symbols, if the bits are those of an encoder. Clauses: ARITH-STRICT-3, ARITH-STRICT-4."""
-    if found.length < bits.length:
-        detail = f"the message has {found.length} bits, {bits.length} are given"
+    fault = _bad_end(found.length, found.canonical, bits)
+    return Accepted(found.symbols) if fault is None else fault
+
+
+def ended(found: T, of: Decoder, bits: Bits) -> Accepted[T] | Rejected:
+    """What was found, if the bits that a kernel has read are those of an encoder.
+
+    Clauses: ARITH-STRICT-3, ARITH-STRICT-4.
+    """
+    fault = _bad_end(of.at - AHEAD, of.canonical(), bits)
+    return Accepted(found) if fault is None else fault
+
+
+def _bad_end(length: int, canonical: bool, bits: Bits) -> Rejected | None:
+    """What is wrong with bits of which an encoder would give so many, if they are its own."""
+    if length < bits.length:
+        detail = f"the message has {length} bits, {bits.length} are given"
         return Rejected(Reason.TRAILING_BITS, Clause.ARITH_STRICT_3, detail=detail)
-    if not found.canonical:
+    if not canonical:
         detail = "an encoder ends these symbols with other bits"
         return Rejected(Reason.NOT_CANONICAL, Clause.ARITH_STRICT_4, detail=detail)
-    return Accepted(found.symbols)
+    return None
+
+
+def _read_by(
+    automaton: Started, of: Decoder, bits: Bits, count: int, longest: int
+) -> Accepted[bytes] | Rejected:
+    """The symbols of an automaton, each in a byte. Clauses: ARITH-DECODE-1, ARITH-STRICT-2."""
+    numbers = decoded(automaton.tables, automaton.context, max(count, 0), longest, of)
+    return truncated(len(numbers), bits) if len(numbers) < count else Accepted(numbers)
 
 
 def _read(model: Model, bits: Bits, count: int, longest: int) -> Accepted[Reading] | Rejected:
@@ -110,10 +144,8 @@ def _read(model: Model, bits: Bits, count: int, longest: int) -> Accepted[Readin
     of = Decoder(bits.values())
     tables = tables_of(model)
     if tables is not None:
-        numbers = decoded(tables.tables, tables.context, max(count, 0), longest, of)
-        if len(numbers) < count:
-            return truncated(len(numbers), bits)
-        return Accepted(Reading(tuple(numbers), of.at - AHEAD, of.canonical()))
+        numbers = _read_by(tables, of, bits, count, longest)
+        return and_then(numbers, lambda found: Accepted(_reading(tuple(found), of)))
     symbols: list[int] = []
     for index in range(count):
         table = model.cumulative
@@ -128,7 +160,11 @@ def _read(model: Model, bits: Bits, count: int, longest: int) -> Accepted[Readin
             return truncated(index, bits)
         symbols.append(symbol)
         model = model.after(symbol)
-    return Accepted(Reading(tuple(symbols), of.at - AHEAD, of.canonical()))
+    return Accepted(_reading(tuple(symbols), of))
+
+
+def _reading(symbols: tuple[int, ...], of: Decoder) -> Reading:
+    return Reading(symbols, of.at - AHEAD, of.canonical())
 
 
 def truncated(index: int, bits: Bits) -> Rejected:

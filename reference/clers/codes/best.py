@@ -8,12 +8,11 @@ from typing import Final
 from clers.arithmetic.bits import Bits, pack
 from clers.codes import context, enumerative, golden, king_rossignac, plain
 from clers.codes.code import Code, Guarantee, Shape
-from clers.codes.implied import NUMBER
+from clers.codes.implied import stranger
 from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
-from clers.conventions.where import AtSymbol
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,8 +65,6 @@ CANDIDATES: Final = (
 )
 """In the order in which ties are decided. Clause: CODE-BEST-1."""
 
-_ALPHABET: Final = "".join(NUMBER).encode()
-
 LONGEST: Final = max(len(candidate.selector) for candidate in CANDIDATES)
 
 
@@ -109,9 +106,9 @@ def chosen(symbols: str, shape: Shape, known: Mapping[str, Bits]) -> Chosen:
 
 def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
     """The selector and the bits of the shortest code. Linear. CODE-BEST-1, CODE-BEST-3."""
-    if symbols.encode("ascii", "replace").translate(None, _ALPHABET):
-        stranger = next(i for i, x in enumerate(symbols) if x not in NUMBER)
-        return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_BEST_1, AtSymbol(stranger))
+    fault = stranger(symbols, Clause.CODE_BEST_1)
+    if fault is not None:
+        return fault
     return Accepted(chosen(symbols, shape, {}).bits())
 
 

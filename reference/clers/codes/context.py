@@ -11,12 +11,13 @@ from librt.vecs import vec
 from mypy_extensions import i64
 
 from clers.arithmetic.bits import Bits, pack
-from clers.arithmetic.coder import Reading, strictly, truncated
+from clers.arithmetic.coder import ended, truncated
 from clers.codes.code import NOTHING, Code, Shape
+from clers.codes.implied import stranger
 from clers.codes.logistic import RATE, SQUASH, STRETCH
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
-from clers.conventions.result import Accepted, Rejected, and_then
+from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtSymbol
 from clers.edgebreaker.stream import Side
 from clers.kernels.foretelling import Foretelling, decoded, encoded
@@ -62,15 +63,14 @@ def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
 
     Linear. Clauses: CODE-CONTEXT-1, CODE-CONTEXT-3.
     """
-    coded = symbols.encode("ascii", "replace")
-    if coded.translate(None, ORDER.encode()):
-        stranger = next(i for i, x in enumerate(symbols) if x not in ORDER)
-        return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_CONTEXT_1, AtSymbol(stranger))
+    fault = stranger(symbols, Clause.CODE_CONTEXT_1)
+    if fault is not None:
+        return fault
     to = Encoder()
-    fault = encoded(coded.translate(_NUMBERS), foretelling(shape, len(symbols)), to)
-    if fault >= 0:
+    at = encoded(symbols.encode().translate(_NUMBERS), foretelling(shape, len(symbols)), to)
+    if at >= 0:
         detail = "no loop of a surface lets this symbol be undone"
-        where = AtSymbol(fault)
+        where = AtSymbol(at)
         return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_CONTEXT_3, where, detail)
     return Accepted(pack(to.finish()))
 
@@ -85,9 +85,7 @@ def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
     found = decoded(count, bits.length, by, of)
     if len(found) < count or of.at - AHEAD > bits.length:
         return truncated(by.decisions, bits)
-    reading = Reading(tuple(found), of.at - AHEAD, of.canonical())
-    word = found.translate(_LETTERS).decode()[::-1]
-    return and_then(strictly(reading, bits), lambda _: Accepted(word))
+    return ended(found.translate(_LETTERS).decode()[::-1], of, bits)
 
 
 def most_symbols(bits: int) -> int:

@@ -8,21 +8,21 @@ so that all words with as many ones cost the same, up to what the coder rounds.
 from typing import Final
 
 from clers.arithmetic.bits import Bits, pack
-from clers.arithmetic.coder import SHORTEST, Reading, strictly, truncated
+from clers.arithmetic.coder import SHORTEST, ended, truncated
 from clers.codes.closure import sphere_of
 from clers.codes.code import Code, Guarantee, Shape
-from clers.codes.tree_word import flat_tree_word
-from clers.complexes.flat_surface import FlatSurface
+from clers.codes.tree_word import tree_word
+from clers.complexes.surface import Surface
 from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
-from clers.edgebreaker.decode import flat as surface_of
+from clers.edgebreaker.decode import decode as surface_of
 from clers.edgebreaker.encode import encode as stream_of
 from clers.edgebreaker.stream import Stream
 from clers.information.enumerative import Urn
 from clers.information.model import MAXIMUM_TOTAL, over_maximum
-from clers.kernels.interval import AHEAD, Decoder, Encoder
+from clers.kernels.interval import Decoder, Encoder
 from clers.kernels.urn import decoded, encoded
 
 FRONT: Final = bytes((1, 0))
@@ -37,13 +37,13 @@ def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
     return and_then(surface_of(Stream(shape.head + symbols)), _bits)
 
 
-def _bits(surface: FlatSurface) -> Accepted[Bits] | Rejected:
-    spheres = surface.vertices - len(surface.vertex) // 6
+def _bits(surface: Surface) -> Accepted[Bits] | Rejected:
+    spheres = surface.vertices - surface.faces // 2
     if spheres != 2:
         return _not_one("it has several components")
     ones = surface.vertices - 4
     to = Encoder()
-    encoded(flat_tree_word(surface)[len(FRONT) : -len(BACK)], 3 * ones, ones, to)
+    encoded(tree_word(surface)[len(FRONT) : -len(BACK)], 3 * ones, ones, to)
     return Accepted(pack(to.finish()))
 
 
@@ -67,8 +67,7 @@ def _read(bits: Bits, ones: int) -> Accepted[bytes] | Rejected:
     found = decoded(3 * ones, ones, bits.length, of)
     if len(found) < 4 * ones:
         return truncated(len(found), bits)
-    reading = Reading(tuple(found), of.at - AHEAD, of.canonical())
-    return and_then(strictly(reading, bits), lambda _: Accepted(found))
+    return ended(found, of, bits)
 
 
 def urn(vertices: int) -> Urn:

@@ -63,7 +63,7 @@ def encode(symbols: str, head: str) -> Accepted[Bits] | Rejected:
 
 def decode(bits: Bits, count: int, head: str) -> Accepted[str] | Rejected:
     """The `count` symbols that follow `head`. Linear. Clauses: CODE-GOLDEN-1 … -3."""
-    found = coder.decode(model(head), bits, count)
+    found = coder.decode_bytes(model(head), bits, count)
     return and_then(found, lambda coded: Accepted(letters(coded)))
 
 

@@ -8,12 +8,11 @@ from typing import Final
 from clers.arithmetic.bits import Bits, pack
 from clers.codes import plain
 from clers.codes.code import Code, Guarantee, Shape
-from clers.codes.implied import NUMBER
+from clers.codes.implied import NUMBER, stranger
 from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
-from clers.conventions.where import AtSymbol
 from clers.edgebreaker.stream import SYMBOLS
 from clers.information import prefix
 from clers.information.canonical import canonical
@@ -42,9 +41,9 @@ def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
     Linear. Clauses: CODE-HUFFMAN-1, CODE-HUFFMAN-2, CODE-HUFFMAN-4.
     """
     del shape
-    stranger = next((i for i, x in enumerate(symbols) if x not in NUMBER), None)
-    if stranger is not None:
-        return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_HUFFMAN_1, AtSymbol(stranger))
+    fault = stranger(symbols, Clause.CODE_HUFFMAN_1)
+    if fault is not None:
+        return fault
     lengths = _lengths(symbols)
     table = "".join(f"{length or 0:0{WIDTH}b}" for length in lengths)
     numbers = [NUMBER[x] for x in symbols]

@@ -15,15 +15,21 @@ NUMBER: Final = {symbol: number for number, symbol in enumerate(SYMBOLS)}
 
 _NUMBERS: Final = bytes.maketrans(SYMBOLS.encode(), bytes(range(len(SYMBOLS))))
 _LETTERS: Final = bytes.maketrans(bytes(range(len(SYMBOLS))), SYMBOLS.encode())
-_ALPHABET: Final = frozenset(SYMBOLS)
+_ALPHABET: Final = SYMBOLS.encode()
 
 
 def numbers(symbols: str, clause: Clause) -> Accepted[bytes] | Rejected:
     """The numbers of symbols, in a byte each; a symbol out of the alphabet is blamed. EB-WORD-1."""
-    if _ALPHABET.issuperset(symbols):
-        return Accepted(symbols.encode().translate(_NUMBERS))
-    stranger = next(i for i, x in enumerate(symbols) if x not in _ALPHABET)
-    return Rejected(Reason.NOT_IN_ALPHABET, clause, AtSymbol(stranger))
+    fault = stranger(symbols, clause)
+    return Accepted(symbols.encode().translate(_NUMBERS)) if fault is None else fault
+
+
+def stranger(symbols: str, clause: Clause) -> Rejected | None:
+    """The first symbol that is not in the alphabet, if there is one. Clause: EB-WORD-1."""
+    if not symbols.encode("ascii", "replace").translate(None, _ALPHABET):
+        return None
+    where = next(i for i, x in enumerate(symbols) if x not in NUMBER)
+    return Rejected(Reason.NOT_IN_ALPHABET, clause, AtSymbol(where))
 
 
 def letters(found: Iterable[int]) -> str:

@@ -5,11 +5,7 @@ A logit is a number of 1/256 nats from -2047 to 2047; a probability is a number 
 
 from typing import Final
 
-UNIT: Final = 65536
-"""The whole of a probability. Clause: CODE-CONTEXT-5."""
-
-LAST: Final = 2047
-"""The greatest logit. Clause: CODE-CONTEXT-6."""
+from clers.kernels.foretelling import LAST, OFTEN, UNIT
 
 # fmt: off
 CURVE: Final = (
@@ -44,24 +40,5 @@ def _stretched() -> tuple[int, ...]:
 STRETCH: Final = _stretched()
 """The logit of a probability p is the entry p >> 4 of 4096. Clause: CODE-CONTEXT-6."""
 
-OFTEN: Final = 255
-"""A slot counts up to this. Clause: CODE-CONTEXT-5."""
-
 RATE: Final = tuple(2 * UNIT // (2 * k + 3) for k in range(OFTEN + 1))
 """What a slot that was met k times learns, in 65536ths. Clause: CODE-CONTEXT-5."""
-
-NEW: Final = (UNIT // 2) << 8
-"""A slot is 256·p + k in one number; this is one that was not met. Clause: CODE-CONTEXT-5."""
-
-HALF: Final = 1 << 14
-"""Half a unit of what a weight learns. Clause: CODE-CONTEXT-7."""
-
-WEIGHT: Final = UNIT // 4
-"""Every weight in the beginning. Clause: CODE-CONTEXT-7."""
-
-
-def learnt(slot: int, bit: int) -> int:
-    """The slot after one more bit. Clause: CODE-CONTEXT-5."""
-    p, k = slot >> 8, slot & 255
-    p += ((65535 - p if bit else -p) * RATE[k]) >> 16
-    return p << 8 | (k + 1 if k < OFTEN else k)

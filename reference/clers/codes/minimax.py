@@ -85,7 +85,7 @@ def encode(of: Minimax, symbols: str, shape: Shape) -> Accepted[Bits] | Rejected
 
 def decode(of: Minimax, bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
     """The `count` symbols of these bits, and no others. Linear. Clause: CODE-MINIMAX-4."""
-    found = coder.decode(model(of, shape.head), bits, count)
+    found = coder.decode_bytes(model(of, shape.head), bits, count)
     return and_then(found, lambda coded: Accepted(letters(coded)))
 
 

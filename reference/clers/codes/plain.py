@@ -4,6 +4,7 @@ from typing import Final
 
 from clers.arithmetic.bits import Bits, pack
 from clers.codes.code import Code, Guarantee
+from clers.codes.implied import stranger
 from clers.complexes.topology import Component
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
@@ -18,9 +19,9 @@ _SYMBOL_OF: Final = {codeword: symbol for symbol, codeword in CODEWORDS.items()}
 
 def encode(symbols: str) -> Accepted[Bits] | Rejected:
     """The bits of some symbols. Linear. Clauses: CODE-PLAIN-1, CODE-PLAIN-3."""
-    stranger = next((i for i, x in enumerate(symbols) if x not in CODEWORDS), None)
-    if stranger is not None:
-        return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_PLAIN_1, AtSymbol(stranger))
+    fault = stranger(symbols, Clause.CODE_PLAIN_1)
+    if fault is not None:
+        return fault
     return Accepted(pack(int(bit) for x in symbols for bit in CODEWORDS[x]))
 
 

@@ -1,6 +1,5 @@
 """From a rooted triangulation to the word of its tree: once about the tree, a bit for each step."""
 
-from clers.complexes.flat_surface import FlatSurface, flat
 from clers.complexes.surface import Surface
 from clers.kernels import tree
 
@@ -11,10 +10,5 @@ def tree_word(sphere: Surface) -> bytes:
     Linear; what is no connected closed surface of genus 0 has no word and must not be given.
     Clauses: CODE-TREE-1 … CODE-TREE-4.
     """
-    return flat_tree_word(flat(sphere))
-
-
-def flat_tree_word(sphere: FlatSurface) -> bytes:
-    """The same of a sphere as kernels have it."""
-    out = tree.oriented(sphere.vertex, sphere.opposite, sphere.vertices)
-    return tree.word(sphere.opposite, out)
+    opposite = sphere.opposite_row.flat
+    return tree.word(opposite, tree.oriented(sphere.vertex_row.flat, opposite, sphere.vertices))

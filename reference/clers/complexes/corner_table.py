@@ -10,9 +10,9 @@ from mypy_extensions import i64
 
 from clers.complexes.face_list import DEFAULT_LIMITS, FaceList, Limits
 from clers.complexes.fans import fans
-from clers.complexes.flat_surface import of_flat
+from clers.complexes.index_list import IndexList, listed_faces
 from clers.complexes.matching import bad_counts, edges_of, mates
-from clers.complexes.surface import BORDER, Corner, Surface, Vertex
+from clers.complexes.surface import BORDER, Corner, Surface, Vertex, corners_flat, corners_listed
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
@@ -36,6 +36,22 @@ def surface(given: FaceList, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surfac
     return by_clauses(given, limits)
 
 
+def surface_of_indices(
+    given: IndexList, limits: Limits = DEFAULT_LIMITS
+) -> Accepted[Surface] | Rejected:
+    """The surface that an index list describes, as its face list does. Linear.
+
+    Clauses: CPLX-INPUT-5, CPLX-INPUT-6.
+    """
+    if 0 < given.faces <= limits.faces and given.vertices <= limits.vertices:
+        vertex = given.flat()
+        if table.in_range(vertex, given.vertices):
+            found = _by_kernels(vertex, given.vertices)
+            if found is not None:
+                return Accepted(found)
+    return surface(listed_faces(given), limits)
+
+
 def of_corners(vertex: vec[i64], vertices: int) -> Accepted[Surface] | Rejected:
     """The same of the vertices at the corners, which are known to be in range. CPLX-CORNER-1."""
     found = _by_kernels(vertex, vertices)
@@ -48,9 +64,11 @@ def of_corners(vertex: vec[i64], vertices: int) -> Accepted[Surface] | Rejected:
 
 def _by_kernels(vertex: vec[i64], vertices: int) -> Surface | None:
     """The surface, if there is nothing wrong. Linear."""
-    opposite = table.opposites(vertex, vertices) if table.distinct(vertex) else vec[i64]()
+    if vertices > len(vertex) or len(vertex) > table.MOST or not table.distinct(vertex):
+        return None
+    opposite = table.opposites(vertex, vertices)
     if len(opposite) > 0 and table.one_fan_each(vertex, opposite, vertices):
-        return of_flat(vertex, opposite, vertices)
+        return corners_flat(vertex, opposite, vertices)
     return None
 
 
@@ -69,7 +87,7 @@ def face_list(given: Surface) -> FaceList:
 
 def _table(given: FaceList, mate: tuple[int, ...]) -> Surface:
     """A corner table, of which orientation and stars are yet to be checked. CPLX-CORNER-2."""
-    return Surface(
+    return corners_listed(
         tuple(Vertex(v) for face in given.faces for v in face),
         tuple(Corner(c) for c in mate),
         given.vertices,

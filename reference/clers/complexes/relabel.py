@@ -1,6 +1,6 @@
 """The same surface under other names, and its mirror image."""
 
-from clers.complexes.surface import BORDER, Corner, Surface, Vertex
+from clers.complexes.surface import BORDER, Corner, Surface, Vertex, corners_listed
 
 
 def relabelled(
@@ -17,11 +17,10 @@ def relabelled(
     image = corner_images(tips)
     vertex = [Vertex(0)] * len(image)
     opposite = [BORDER] * len(image)
-    for c, new in enumerate(image):
-        d = surface.opposite[c]
-        vertex[new] = name[surface.vertex[c]]
+    for new, v, d in zip(image, surface.vertex, surface.opposite, strict=True):
+        vertex[new] = name[v]
         opposite[new] = BORDER if d == BORDER else image[d]
-    return Surface(tuple(vertex), tuple(opposite), surface.vertices)
+    return corners_listed(tuple(vertex), tuple(opposite), surface.vertices)
 
 
 def corner_images(tips: tuple[Corner, ...]) -> tuple[Corner, ...]:
@@ -39,10 +38,11 @@ def corner_images(tips: tuple[Corner, ...]) -> tuple[Corner, ...]:
 
 def mirror(surface: Surface) -> Surface:
     """Every face (a, b, c) turned over into (a, c, b); numbers are kept. Clause: CPLX-ISO-8."""
-    turned = [c + (0, 1, -1)[c % 3] for c in range(len(surface.vertex))]
-    opposite = (surface.opposite[c] for c in turned)
-    return Surface(
-        tuple(surface.vertex[c] for c in turned),
+    tips, across = surface.vertex, surface.opposite
+    turned = [c + (0, 1, -1)[c % 3] for c in range(len(tips))]
+    opposite = (across[c] for c in turned)
+    return corners_listed(
+        tuple(tips[c] for c in turned),
         tuple(BORDER if d == BORDER else Corner(turned[d]) for d in opposite),
         surface.vertices,
     )

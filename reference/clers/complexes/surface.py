@@ -9,6 +9,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final, NewType
 
+from librt.vecs import vec
+from mypy_extensions import i64
+
+from clers.complexes.row import Row, flat_row, listed
+
 Vertex = NewType("Vertex", int)
 Face = NewType("Face", int)
 Corner = NewType("Corner", int)
@@ -26,17 +31,28 @@ class Surface:
     Clauses: CPLX-CORNER-1, CPLX-CORNER-2. Built by `corner_table.surface`, never by hand.
 
     `vertex[c]` is the vertex at corner c; `opposite[c]` the corner across the edge opposite to c,
-    or BORDER. Both have 3T entries. `vertices` counts the vertices, all of them used.
+    or BORDER. Both have 3T entries. `vertices` counts the vertices, all of them used. Kernels take
+    the same two rows flat.
     """
 
-    vertex: tuple[Vertex, ...]
-    opposite: tuple[Corner, ...]
+    vertex_row: Row[Vertex]
+    opposite_row: Row[Corner]
     vertices: int
+
+    @property
+    def vertex(self) -> tuple[Vertex, ...]:
+        """The vertex at each corner."""
+        return self.vertex_row.numbers
+
+    @property
+    def opposite(self) -> tuple[Corner, ...]:
+        """The corner across from each corner, or BORDER."""
+        return self.opposite_row.numbers
 
     @property
     def faces(self) -> int:
         """T, the number of triangles."""
-        return len(self.vertex) // 3
+        return len(self.vertex_row) // 3
 
     def triangle(self, face: Face) -> Triangle:
         """The vertices of a face, in the order it was given in."""
@@ -47,6 +63,18 @@ class Surface:
         """All faces, in order."""
         v = self.vertex
         return zip(v[0::3], v[1::3], v[2::3], strict=True)
+
+
+def corners_listed(
+    vertex: tuple[Vertex, ...], opposite: tuple[Corner, ...], vertices: int
+) -> Surface:
+    """The surface of these two tuples; nothing is checked."""
+    return Surface(listed(vertex), listed(opposite), vertices)
+
+
+def corners_flat(vertex: vec[i64], opposite: vec[i64], vertices: int) -> Surface:
+    """The surface that a kernel has found. Clause: CPLX-CORNER-2."""
+    return Surface(flat_row(vertex), flat_row(opposite), vertices)
 
 
 def face_of(corner: Corner) -> Face:

@@ -1,7 +1,6 @@
 """Decompression with every check: what a reader of untrusted streams calls."""
 
 from clers.complexes.face_list import DEFAULT_LIMITS, Limits
-from clers.complexes.flat_surface import FlatSurface
 from clers.complexes.surface import Surface
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
@@ -20,16 +19,11 @@ def decode(stream: Stream, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surface]
     Accepts exactly the streams that `encode` gives for some surface. Linear.
     Clauses: EB-DECODE-1, EB-DECODE-2, EB-GRAMMAR-1 … EB-GRAMMAR-9.
     """
-    return and_then(flat(stream, limits), lambda found: Accepted(found.surface()))
-
-
-def flat(stream: Stream, limits: Limits = DEFAULT_LIMITS) -> Accepted[FlatSurface] | Rejected:
-    """The same surface for kernels."""
     if len(stream.word) > limits.faces:
         detail = f"{len(stream.word)} symbols, the limit is {limits.faces} faces"
         return Rejected(Reason.TOO_MANY_FACES, Clause.EB_DECODE_2, WHOLE, detail)
     return and_then(scanned(stream), _glue_and_label)
 
 
-def _glue_and_label(scan: Scan) -> Accepted[FlatSurface] | Rejected:
+def _glue_and_label(scan: Scan) -> Accepted[Surface] | Rejected:
     return and_then(gluing(scan), lambda opposite: labelled(scan, opposite))

@@ -1,9 +1,6 @@
 """Compression: Algorithms 3, 4 and 5 of the tutorial, linear, without recursion."""
 
-from librt.vecs import vec
-from mypy_extensions import i64
-
-from clers.complexes.flat_surface import corners_all, vertices_all
+from clers.complexes.row import flat_row
 from clers.complexes.surface import Surface
 from clers.edgebreaker.stream import Encoding, Kind, Record, Side, Stream
 from clers.kernels.walk import Walk, walked
@@ -17,12 +14,10 @@ def encode(surface: Surface) -> Encoding:
     EB-HANDLE-1 … EB-HANDLE-5, EB-ORDER-1 … EB-ORDER-3. What the symbols and records then count:
     EB-COUNT-1 … EB-COUNT-4.
     """
-    walk = walked(vec[i64](surface.vertex), vec[i64](surface.opposite), surface.vertices)
-    order, tips = tuple(walk.order), tuple(walk.tips)
-    assert vertices_all(order)
-    assert corners_all(tips)
+    walk = walked(surface.vertex_row.flat, surface.opposite_row.flat, surface.vertices)
     word = walk.word.getvalue().decode("ascii")
-    return Encoding(Stream(word, _records(walk), walk.with_boundary), order, tips)
+    stream = Stream(word, _records(walk), walk.with_boundary)
+    return Encoding(stream, flat_row(walk.order), flat_row(walk.tips))
 
 
 def _records(walk: Walk) -> tuple[Record, ...]:

@@ -10,8 +10,7 @@ from mypy_extensions import i64
 
 from clers.complexes.corner_table import by_clauses
 from clers.complexes.face_list import FaceList, Limits
-from clers.complexes.flat_surface import FlatSurface, flat
-from clers.complexes.surface import Surface
+from clers.complexes.surface import Surface, corners_flat
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
@@ -29,21 +28,20 @@ def label(outlined: Outline, glued: Sequence[int]) -> Accepted[Surface] | Reject
     `glued[c]` is the corner opposite to c, or BORDER. Vertices are numbered by EB-ORDER-1. Linear.
     Clauses: EB-ORDER-1, EB-GRAMMAR-9.
     """
-    found = and_then(scanned(outlined.stream), lambda scan: labelled(scan, vec[i64](glued)))
-    return and_then(found, lambda flat: Accepted(flat.surface()))
+    return and_then(scanned(outlined.stream), lambda scan: labelled(scan, vec[i64](glued)))
 
 
-def labelled(scan: Scan, opposite: vec[i64]) -> Accepted[FlatSurface] | Rejected:
+def labelled(scan: Scan, opposite: vec[i64]) -> Accepted[Surface] | Rejected:
     """The same of a stream that was scanned.
 
     Each name goes to one fan, so that only faces with a vertex twice, faces on the same vertices,
     and edges with three faces are left to look for.
     """
     naming = named(scan, opposite)
-    found = FlatSurface(naming.vertex, opposite, naming.count)
-    if table.distinct(found.vertex) and table.simple(found.vertex, opposite, found.vertices):
+    found = corners_flat(naming.vertex, opposite, naming.count)
+    if table.distinct(naming.vertex) and table.simple(naming.vertex, opposite, naming.count):
         return Accepted(found)
-    return and_then(_simplicial(scan, found.surface()), lambda surface: Accepted(flat(surface)))
+    return _simplicial(scan, found)
 
 
 def _simplicial(scan: Scan, glued: Surface) -> Accepted[Surface] | Rejected:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Final
 
+from clers.complexes.row import Row
 from clers.complexes.surface import Corner, Vertex
 
 SYMBOLS: Final = "CLERS"
@@ -56,5 +57,15 @@ class Encoding:
     """
 
     stream: Stream
-    vertex_order: tuple[Vertex, ...]
-    tip_order: tuple[Corner, ...]
+    vertex_row: Row[Vertex]
+    tip_row: Row[Corner]
+
+    @property
+    def vertex_order(self) -> tuple[Vertex, ...]:
+        """The surface's vertices in the order of a decoder."""
+        return self.vertex_row.numbers
+
+    @property
+    def tip_order(self) -> tuple[Corner, ...]:
+        """The tips of the surface's faces in the order of a decoder."""
+        return self.tip_row.numbers

@@ -11,7 +11,7 @@ from clers.complexes.polytopes.polygons import PolygonList
 from clers.complexes.structures.compact import Level3, compact
 from clers.complexes.structures.half_edge import HalfEdges
 from clers.complexes.structures.half_edge_polygons import from_polygons
-from clers.complexes.surface import Corner, Surface, Vertex
+from clers.complexes.surface import Corner, Surface, Vertex, corners_listed
 from clers.conventions.result import Accepted
 from clers.generate.polytopes import of_triangles, oriented_polygons
 from clers.generate.scripts import CHOICES
@@ -110,7 +110,7 @@ def foreign_tables(draw: st.DrawFn) -> Surface:
             vertex = draw(_changed(vertex))
         else:
             opposite = draw(_changed(opposite))
-    return Surface(tuple(map(Vertex, vertex)), tuple(map(Corner, opposite)), of.vertices)
+    return corners_listed(tuple(map(Vertex, vertex)), tuple(map(Corner, opposite)), of.vertices)
 
 
 @st.composite

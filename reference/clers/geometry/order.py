@@ -2,11 +2,7 @@
 
 from collections.abc import Sequence
 
-from librt.vecs import vec
-from mypy_extensions import i64
-
-from clers.complexes.flat_surface import of_flat
-from clers.complexes.surface import Surface
+from clers.complexes.surface import Surface, corners_flat
 from clers.edgebreaker.stream import Encoding
 from clers.geometry.positions import Positions
 from clers.kernels.order import Renumbered
@@ -18,12 +14,12 @@ def in_creation_order(surface: Surface, encoding: Encoding) -> Surface:
     Linear. Clause: GEOM-ORDER-3.
     """
     found = Renumbered(
-        vec[i64](surface.vertex),
-        vec[i64](surface.opposite),
-        vec[i64](encoding.tip_order),
-        vec[i64](encoding.vertex_order),
+        surface.vertex_row.flat,
+        surface.opposite_row.flat,
+        encoding.tip_row.flat,
+        encoding.vertex_row.flat,
     )
-    return of_flat(found.vertex, found.opposite, surface.vertices)
+    return corners_flat(found.vertex, found.opposite, surface.vertices)
 
 
 def into_order(given: Positions, order: Sequence[int]) -> Positions:

@@ -25,21 +25,23 @@ def encoded(tables: Tables, context: i64, symbols: bytes, to: Encoder) -> i64:
 
     Clauses: ARITH-ENCODE-1, INFO-AUTOMATON-1; INFO-MODEL-5 for what cannot be written.
     """
-    row: i64 = tables.size + 1
+    size: i64 = tables.size
+    row: i64 = size + 1
     cumulative = tables.cumulative
+    after = tables.after
     n: i64 = len(symbols)
     i: i64 = 0
     while i < n:
         symbol: i64 = symbols[i]
-        if symbol >= tables.size:
+        if symbol >= size:
             return i
         at: i64 = context * row + symbol
         below: i64 = cumulative[at]
         upto: i64 = cumulative[at + 1]
         if below == upto:
             return i
-        to.narrow(below, upto, cumulative[context * row + tables.size])
-        context = tables.after[at]
+        to.narrow(below, upto, cumulative[context * row + size])
+        context = after[at]
         i += 1
     return -1
 
@@ -49,21 +51,29 @@ def decoded(tables: Tables, context: i64, count: i64, longest: i64, of: Decoder)
 
     Clauses: ARITH-DECODE-1, ARITH-DECODE-2, ARITH-STRICT-2, INFO-AUTOMATON-1.
     """
-    row: i64 = tables.size + 1
+    size: i64 = tables.size
+    row: i64 = size + 1
     cumulative = tables.cumulative
+    after = tables.after
     out = BytesWriter()
     i: i64 = 0
     while i < count:
         base: i64 = context * row
-        total: i64 = cumulative[base + tables.size]
-        target: i64 = of.target(total)
+        total: i64 = cumulative[base + size]
+        # `target` says the same: it is below `upto` if and only if these products are in order.
+        width: i64 = of.high - of.low + 1
+        aim: i64 = (of.value - of.low + 1) * total
         symbol: i64 = 0
-        while cumulative[base + symbol + 1] <= target:
+        below: i64 = 0
+        upto: i64 = cumulative[base + 1]
+        while width * upto < aim:
             symbol += 1
-        of.narrow(cumulative[base + symbol], cumulative[base + symbol + 1], total)
+            below = upto
+            upto = cumulative[base + symbol + 1]
+        of.narrow(below, upto, total)
         if of.at - AHEAD > longest:
             break
         out.append(symbol)
-        context = tables.after[base + symbol]
+        context = after[base + symbol]
         i += 1
     return out.getvalue()

@@ -33,9 +33,12 @@ class Encoder:
     def narrow(self, below: i64, upto: i64, total: i64) -> None:
         """Take the part of the interval from `below` up to `upto` out of `total`, and shift."""
         low: i64 = self.low
-        width: i64 = self.high - low + 1
-        high: i64 = low + width * upto // total - 1
-        low += width * below // total
+        high: i64 = self.high
+        width: i64 = high - low + 1
+        if upto < total:
+            high = low + width * upto // total - 1
+        if below > 0:
+            low += width * below // total
         self.settle(low, high)
 
     def decide(self, yes: bool, no: i64) -> None:
@@ -109,9 +112,13 @@ class Decoder:
 
     def narrow(self, below: i64, upto: i64, total: i64) -> None:
         """Take the part of the interval that was meant, and shift."""
-        width: i64 = self.high - self.low + 1
-        high: i64 = self.low + width * upto // total - 1
-        low: i64 = self.low + width * below // total
+        low: i64 = self.low
+        high: i64 = self.high
+        width: i64 = high - low + 1
+        if upto < total:
+            high = low + width * upto // total - 1
+        if below > 0:
+            low += width * below // total
         self.settle(low, high)
 
     def decide(self, no: i64) -> bool:

@@ -1,23 +1,55 @@
 """Corner tables: which corners lie opposite to one edge, and whether each vertex has one fan.
 
-Entries are corners (below 3T) and vertices; with at most 2^26 of each (CPLX-INPUT-3) nothing here
-comes near 2^63.
+Entries are corners and vertices, of both at most 2^31: a corner doubled is below 2^32, and with a
+vertex above it below 2^63, so that nothing wraps.
 """
 
+from typing import Final
+
+from librt.strings import read_i64_le
 from librt.vecs import vec
 from mypy_extensions import i64
 
 from clers.kernels.flat import minus_ones, zeros
+
+WORD: Final = 0xFFFF_FFFF
+MOST: Final = 0x8000_0000
+"""No table has more corners."""
+
+
+def indices(buffer: bytes) -> vec[i64]:
+    """The numbers of 32 bits, lowest byte first, that a buffer holds. Linear. CPLX-INPUT-5."""
+    count: i64 = len(buffer) // 4
+    padded = buffer + bytes(4)
+    found = zeros(count + 1)
+    k: i64 = 0
+    while k < count:
+        two: i64 = read_i64_le(padded, 4 * k)
+        found[k] = two & WORD
+        found[k + 1] = (two >> 32) & WORD
+        k += 2
+    return found[:count]
+
+
+def in_range(vertex: vec[i64], vertices: i64) -> bool:
+    """Whether all are from 0 to `vertices` - 1. Clause: CPLX-REJECT-3."""
+    corners: i64 = len(vertex)
+    c: i64 = 0
+    while c < corners:
+        v: i64 = vertex[c]
+        if v < 0 or v >= vertices:
+            return False
+        c += 1
+    return True
 
 
 def opposites(vertex: vec[i64], vertices: i64) -> vec[i64]:
     """The corner opposite to each corner, or -1; nothing at all if some edge is not as it must be.
 
     `vertex[c]` is the vertex at corner c, from 0 to `vertices` - 1, three that differ in each face.
-    An edge has one face, or two that run it in opposite directions and have other tips. Linear:
-    corners are sorted by the lower end of their edge, and of one lower end the last corner of each
-    upper end is kept.
-    Clauses: CPLX-CORNER-3, CPLX-REJECT-5, CPLX-REJECT-6, CPLX-REJECT-7.
+    An edge has one face, or two that run it in opposite directions. Linear: corners are sorted by
+    the lower end of their edge, and of one lower end the last corner of each upper end is kept.
+    Clauses: CPLX-CORNER-3, CPLX-REJECT-6, CPLX-REJECT-7.
     """
     corners: i64 = len(vertex)
     start = zeros(vertices + 1)
@@ -37,8 +69,8 @@ def opposites(vertex: vec[i64], vertices: i64) -> vec[i64]:
         start[v] = before
         before += here
         v += 1
-    corner_at = zeros(corners)
-    upper = zeros(corners)
+    # Of each edge the upper end, the corner opposite to it, and 1 if its face runs it upwards.
+    edge = zeros(corners)
     c = 0
     while c < corners:
         x = vertex[c]
@@ -46,18 +78,15 @@ def opposites(vertex: vec[i64], vertices: i64) -> vec[i64]:
         z = vertex[c + 2]
         low: i64 = x if x < y else y
         j: i64 = start[low]
-        corner_at[j] = c + 2
-        upper[j] = y if x < y else x
+        edge[j] = y << 32 | (c + 2) << 1 | 1 if x < y else x << 32 | (c + 2) << 1
         start[low] = j + 1
         low = y if y < z else z
         j = start[low]
-        corner_at[j] = c
-        upper[j] = z if y < z else y
+        edge[j] = z << 32 | c << 1 | 1 if y < z else y << 32 | c << 1
         start[low] = j + 1
         low = z if z < x else x
         j = start[low]
-        corner_at[j] = c + 1
-        upper[j] = x if z < x else z
+        edge[j] = x << 32 | (c + 1) << 1 | 1 if z < x else z << 32 | (c + 1) << 1
         start[low] = j + 1
         c += 3
     opposite = minus_ones(corners)
@@ -68,17 +97,19 @@ def opposites(vertex: vec[i64], vertices: i64) -> vec[i64]:
         first: i64 = j
         end: i64 = start[u]
         while j < end:
-            w: i64 = upper[j]
+            one: i64 = edge[j]
+            w: i64 = one >> 32
             p: i64 = last[w]
             if p < first:
                 last[w] = j
             else:
-                d: i64 = corner_at[p]
-                c = corner_at[j]
-                if opposite[d] >= 0 or vertex[c] == vertex[d]:
+                other: i64 = edge[p]
+                if (one ^ other) & 1 == 0:
                     return vec[i64]()
-                if vertex[c - 2 if c % 3 == 2 else c + 1] == vertex[d - 2 if d % 3 == 2 else d + 1]:
+                d: i64 = (other & WORD) >> 1
+                if opposite[d] >= 0:
                     return vec[i64]()
+                c = (one & WORD) >> 1
                 opposite[d] = c
                 opposite[c] = d
             j += 1
@@ -90,8 +121,9 @@ def one_fan_each(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
     """Whether the faces at each vertex are one fan, and there is a face at each. Linear.
 
     From one corner of each vertex all others of its fan are reached by turning one way, and at a
-    border the other way; all corners are reached if and only if there is no second fan.
-    Clauses: CPLX-REJECT-8, CPLX-REJECT-9.
+    border the other way; all corners are reached if and only if there is no second fan. Where no
+    edge has three faces, two faces on the same vertices share all edges, and are a whole fan.
+    Clauses: CPLX-REJECT-5, CPLX-REJECT-8, CPLX-REJECT-9.
     """
     corners: i64 = len(vertex)
     met = zeros(vertices)
@@ -103,6 +135,7 @@ def one_fan_each(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
         if met[v] == 0:
             met[v] = 1
             used += 1
+            before: i64 = reached
             d: i64 = c
             o: i64 = 0
             while True:
@@ -121,6 +154,8 @@ def one_fan_each(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
                         break
                     d = o - 1 if o % 3 else o + 2
                     reached += 1
+            elif reached - before < 3:
+                return False
         c += 1
     return reached == corners and used == vertices
 

@@ -9,13 +9,12 @@ from librt.strings import BytesWriter
 from librt.vecs import append, vec
 from mypy_extensions import i64
 
-from clers.kernels.flat import zeros
+from clers.kernels.flat import flags, zeros
+from clers.kernels.scan import C, E, L, R, S
 
-C: Final = 67
-L: Final = 76
-E: Final = 69
-R: Final = 82
-S: Final = 83
+UNVISITED: Final = 0
+VISITED: Final = 1
+SPLIT: Final = 2
 
 UNSEEN: Final = 0
 ON_CURVE: Final = 1
@@ -25,31 +24,42 @@ MARKED: Final = 2
 class Walk:
     """What the walk has seen and written so far; private and mutable, never seen from outside.
 
-    `visited[t]`: 0, or 1, or 2 + s of the face of S number s. `mark[v]`: UNSEEN; ON_CURVE, of a
-    curve not reached; MARKED, on a visited face or on a curve reached. Of S number s: `left_of`
-    its left corner, `reaches` whether it reached a curve, `closed` 2·(closers before) + 1 if its
-    left edge was closed as a left edge, + 0 as a right one, or -1.
+    `visited[t]`: UNVISITED, VISITED, or SPLIT where an S is; `split_of[t]` is the number of that S.
+    `mark[v]`: UNSEEN; ON_CURVE, of a curve not reached; MARKED, on a visited face or on a curve
+    reached. The first `met` of `order` are the vertices met, the first `made` of `tips` the tips of
+    the faces visited. Of S number s: `left_of` its left corner, `reaches` whether it reached a
+    curve, `closed` 2·(closers before) + 1 if its left edge was closed as a left edge, + 0 as a
+    right one, or -1.
     """
 
     def __init__(self, vertex: vec[i64], opposite: vec[i64], vertices: i64) -> None:
         corners: i64 = len(vertex)
         self.vertex = vertex
         self.opposite = opposite
-        self.visited = zeros(corners // 3)
-        self.mark = zeros(vertices)
+        self.visited = flags(corners // 3)
+        self.split_of = zeros(corners // 3)
+        self.mark = flags(vertices)
         c: i64 = 0
         while c < corners:
             if opposite[c] < 0:
                 self.mark[vertex[c - 2 if c % 3 == 2 else c + 1]] = ON_CURVE
             c += 1
         self.word = BytesWriter()
-        self.order = vec[i64](capacity=vertices)
-        self.tips = vec[i64](capacity=corners // 3)
+        self.order = zeros(vertices)
+        self.met: i64 = 0
+        self.tips = zeros(corners // 3)
+        self.made: i64 = 0
         self.left_of = vec[i64]()
         self.reaches = vec[i64]()
         self.closed = vec[i64]()
         self.closers: i64 = 0
         self.with_boundary: i64 = 0
+
+    def meet(self, v: i64) -> None:
+        """The next vertex in the order of creation. Clause: EB-ORDER-1."""
+        self.mark[v] = MARKED
+        self.order[self.met] = v
+        self.met += 1
 
     def reach_curve(self, corner: i64) -> None:
         """Mark the vertices of a curve, from a corner's vertex on. Clauses: EB-ORDER-2, -CURVE."""
@@ -58,29 +68,29 @@ class Walk:
         start = c
         while True:
             v: i64 = self.vertex[c]
-            self.mark[v] = MARKED
-            self.order = append(self.order, v)
+            self.meet(v)
             c = outgoing(opposite, c - 2 if c % 3 == 2 else c + 1)
             if c == start:
                 return
 
     def visit_root(self, corner: i64) -> None:
         """P: visited without a symbol. Clause: EB-COMPONENT-2."""
-        self.visited[corner // 3] = 1
-        self.tips = append(self.tips, corner)
+        self.visited[corner // 3] = VISITED
+        self.tips[self.made] = corner
+        self.made += 1
         k: i64 = 0
         while k < 3:
-            v: i64 = self.vertex[corner + k]
-            self.mark[v] = MARKED
-            self.order = append(self.order, v)
+            self.meet(self.vertex[corner + k])
             k += 1
 
     def close(self, across: i64, left: i64) -> None:
         """Algorithm 5: is the closed edge the left edge of an S? Clauses: EB-HANDLE-1 … -4."""
         if across < 0:
             return
-        s: i64 = self.visited[across // 3] - 2
-        if s >= 0 and self.left_of[s] == across:
+        if self.visited[across // 3] != SPLIT:
+            return
+        s: i64 = self.split_of[across // 3]
+        if self.left_of[s] == across:
             self.closed[s] = 2 * self.closers + left
 
     def traverse(self, gate: i64) -> None:
@@ -90,12 +100,15 @@ class Walk:
         visited = self.visited
         mark = self.mark
         word = self.word
+        tips = self.tips
+        made: i64 = self.made
         stack = vec[i64]()
         height: i64 = 0
         while True:
             face: i64 = gate // 3
-            visited[face] = 1
-            self.tips = append(self.tips, gate)
+            visited[face] = VISITED
+            tips[made] = gate
+            made += 1
             v: i64 = vertex[gate]
             turn: i64 = gate % 3
             right: i64 = gate - 2 if turn == 2 else gate + 1
@@ -104,15 +117,15 @@ class Walk:
             left_gate: i64 = opposite[left]
             if mark[v] == UNSEEN:
                 word.append(C)
-                mark[v] = MARKED
-                self.order = append(self.order, v)
+                self.meet(v)
                 gate = right_gate
                 continue
-            right_closed: bool = right_gate < 0 or visited[right_gate // 3] != 0
-            left_closed: bool = left_gate < 0 or visited[left_gate // 3] != 0
+            right_closed: bool = right_gate < 0 or visited[right_gate // 3] != UNVISITED
+            left_closed: bool = left_gate < 0 or visited[left_gate // 3] != UNVISITED
             if not right_closed and not left_closed:
                 word.append(S)
-                visited[face] = 2 + len(self.left_of)
+                visited[face] = SPLIT
+                self.split_of[face] = len(self.left_of)
                 self.left_of = append(self.left_of, left)
                 self.closed = append(self.closed, -1)
                 if mark[v] == ON_CURVE:
@@ -140,9 +153,10 @@ class Walk:
                 gate = right_gate
             else:
                 word.append(E)
-                while height > 0 and visited[stack[height - 1] // 3] != 0:
+                while height > 0 and visited[stack[height - 1] // 3] != UNVISITED:
                     height -= 1
                 if height == 0:
+                    self.made = made
                     return
                 height -= 1
                 gate = stack[height]
@@ -170,14 +184,14 @@ def walked(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> Walk:
     corners: i64 = len(vertex)
     c: i64 = 0
     while c < corners:
-        if opposite[c] < 0 and walk.visited[c // 3] == 0:
+        if opposite[c] < 0 and walk.visited[c // 3] == UNVISITED:
             walk.reach_curve(c - 2 if c % 3 == 2 else c + 1)
             walk.traverse(c)
             walk.with_boundary += 1
         c += 1
     c = 0
     while c < corners:
-        if walk.visited[c // 3] == 0:
+        if walk.visited[c // 3] == UNVISITED:
             walk.visit_root(c)
             walk.traverse(opposite[c])
         c += 3

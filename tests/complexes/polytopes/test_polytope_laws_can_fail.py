@@ -20,7 +20,7 @@ from clers.complexes.polytopes.products import circle, cube
 from clers.complexes.simplicial import closure
 from clers.complexes.structures.half_edge import HalfEdges
 from clers.complexes.structures.half_edge_polygons import from_polygons
-from clers.complexes.surface import BORDER, Surface, Vertex
+from clers.complexes.surface import BORDER, Vertex, corners_listed
 from clers.conventions.result import Accepted
 from clers.conventions.verdict import Fails, Holds
 
@@ -52,7 +52,7 @@ MOEBIUS_WITH_A_FIN = simplicial(*((0, 1, 2), (1, 2, 3), (2, 3, 4), (0, 3, 4), (0
 """Cut at the edge with three triangles it is two-sided; by the first two of them it is not."""
 DOUBLET = PolygonList(((0, 1, 2, 3), (0, 3, 2, 4)), 5)
 SQUARES = half_edges(CUBE_FACES)
-NOT_A_SURFACE = Surface(tuple(Vertex(v) for v in (0, 1, 2)), (BORDER,) * 3, 4)
+NOT_A_SURFACE = corners_listed(tuple(Vertex(v) for v in (0, 1, 2)), (BORDER,) * 3, 4)
 
 WRONG: tuple[tuple[str, object], ...] = (
     ("simplicial-complexes-are-polytopes", TOO_LARGE),

@@ -30,7 +30,7 @@ from clers.complexes.structures.compact_queries import (
     star_2,
 )
 from clers.complexes.structures.corner_invariant import corner_table
-from clers.complexes.surface import Corner, Surface, Vertex
+from clers.complexes.surface import Corner, Surface, Vertex, corners_listed
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -210,22 +210,22 @@ def test_corner_tables_of_others() -> None:
     """Clause: CPLX-REFINE-2."""
     band = accepted(BAND)
     assert corner_table(band) == Accepted(band)
-    wrong = replace(band, opposite=(*band.opposite[:-1], Corner(2)))
+    wrong = corners_listed(band.vertex, (*band.opposite[:-1], Corner(2)), band.vertices)
     assert corner_table(wrong) == Rejected(
         Reason.BROKEN_INVARIANT,
         Clause.CPLX_REFINE_2,
         AtEntry("opposite", 17),
         "2, and not 1",
     )
-    short = Surface(band.vertex, band.opposite[:-1], 6)
+    short = corners_listed(band.vertex, band.opposite[:-1], 6)
     assert corner_table(short) == Rejected(
         Reason.COUNT_MISMATCH, Clause.CPLX_REFINE_2, WHOLE, "18 vertices, 17 opposites"
     )
-    ragged = Surface(band.vertex[:-1], band.opposite[:-1], 6)
+    ragged = corners_listed(band.vertex[:-1], band.opposite[:-1], 6)
     assert corner_table(ragged) == Rejected(
         Reason.COUNT_MISMATCH, Clause.CPLX_REFINE_2, WHOLE, "17 vertices, 17 opposites"
     )
-    none = Surface((Vertex(0),) * 3, (Corner(-1),) * 3, 1)
+    none = corners_listed((Vertex(0),) * 3, (Corner(-1),) * 3, 1)
     answer = corner_table(none)
     assert isinstance(answer, Rejected)
     assert answer.reason is Reason.REPEATED_INDEX

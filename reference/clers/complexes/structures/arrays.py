@@ -4,7 +4,7 @@ import msgspec
 
 from clers.complexes.structures.corner_invariant import corner_table
 from clers.complexes.structures.half_edge import HalfEdges, half_edges
-from clers.complexes.surface import Corner, Surface, Vertex
+from clers.complexes.surface import Corner, Surface, Vertex, corners_listed
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -56,7 +56,7 @@ def read_corner_table(content: bytes) -> Accepted[Surface] | Rejected:
     except msgspec.DecodeError as error:
         return Rejected(Reason.UNREADABLE_FILE, Clause.CPLX_REFINE_3, detail=str(error))
     vertex, opposite = map(Vertex, found.vertex), map(Corner, found.opposite)
-    return corner_table(Surface(tuple(vertex), tuple(opposite), found.vertices))
+    return corner_table(corners_listed(tuple(vertex), tuple(opposite), found.vertices))
 
 
 def write_corner_table(of: Surface) -> bytes:

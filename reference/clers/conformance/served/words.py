@@ -1,5 +1,6 @@
 """`word.encode` and `word.decode`, each with its trace."""
 
+from clers.complexes.row import listed
 from clers.complexes.surface import Corner, Surface, Vertex
 from clers.conformance import payloads as form
 from clers.conformance.messages import Step
@@ -46,7 +47,9 @@ def steps_of_decoding(given: form.StreamForm) -> Accepted[tuple[Step, ...]] | Re
 def _as_created(surface: Surface, stream: Stream) -> Encoding:
     """How a stream meets the surface that it is decoded to: everything in order. EB-ORDER-1."""
     vertices = tuple(Vertex(v) for v in range(surface.vertices))
-    return Encoding(stream, vertices, tuple(Corner(3 * f) for f in range(surface.faces)))
+    return Encoding(
+        stream, listed(vertices), listed(tuple(Corner(3 * f) for f in range(surface.faces)))
+    )
 
 
 def _walk(surface: Surface, encoding: Encoding) -> Accepted[tuple[Step, ...]] | Rejected:

@@ -2,6 +2,7 @@
 
 from typing import Final, assert_never
 
+from clers.complexes.row import listed
 from clers.complexes.surface import Corner, Surface, Vertex
 from clers.conformance import messages as message
 from clers.conformance import payloads as form
@@ -43,7 +44,7 @@ def codec_of(of: Asker) -> Codec:
             raise _NoAnswer(outcome)
         stream = stream_of(outcome.result)
         order = tuple(map(Vertex, outcome.result.vertex_order))
-        return Encoding(stream, order, _tips(surface, order, decode(stream)))
+        return Encoding(stream, listed(order), listed(_tips(surface, order, decode(stream))))
 
     def decode(stream: Stream) -> Accepted[Surface] | Rejected:
         outcome = of.ask(of.request(message.WordDecode(id=0, input=stream_form(stream))))
