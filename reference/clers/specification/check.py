@@ -16,6 +16,7 @@ from clers.specification.identity import (
 )
 from clers.specification.links import indexed, resolved
 from clers.specification.numbers import as_computed
+from clers.specification.proofs import RULES as PROOFS
 from clers.specification.registry import registered
 from clers.specification.repository import Repository
 from clers.specification.values import VALUES
@@ -37,6 +38,7 @@ RULES: Final[tuple[Rule, ...]] = (
     indexed,
     as_shown,
     as_computed(VALUES),
+    *PROOFS,
 )
 
 
