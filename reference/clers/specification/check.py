@@ -20,6 +20,7 @@ from clers.specification.proofs import RULES as PROOFS
 from clers.specification.registry import registered
 from clers.specification.repository import Repository
 from clers.specification.values import VALUES
+from clers.specification.worked.rule import as_worked
 
 RULES: Final[tuple[Rule, ...]] = (
     well_formed,
@@ -38,6 +39,7 @@ RULES: Final[tuple[Rule, ...]] = (
     indexed,
     as_shown,
     as_computed(VALUES),
+    as_worked,
     *PROOFS,
 )
 
