@@ -24,7 +24,7 @@ def call(root: Path, *arguments: str) -> tuple[int, str]:
 
 def test_check_accepts(tmp_path: Path) -> None:
     """Clause: TOOL-EXIT-1."""
-    assert call(write(tmp_path), "check") == (0, "4 clauses, 12 citations, 0 findings\n")
+    assert call(write(tmp_path), "check") == (0, "4 clauses, 15 citations, 0 findings\n")
 
 
 def test_check_names_file_line_and_id(tmp_path: Path) -> None:
@@ -32,7 +32,9 @@ def test_check_names_file_line_and_id(tmp_path: Path) -> None:
     files = edited((BOXES, "> **BOX-LID-2.** A lid", "> **BOX-LID-2.** The lid"))
     code, said = call(write(tmp_path, files), "check")
     places = (
-        "reference/clers/toys.py:13 (lid); tests/test_toys.py:9 (test_lid); proofs_notes/lids.md:3"
+        "reference/clers/toys.py:13 (lid); tests/test_toys.py:9 (test_lid); "
+        "proofs_notes/README.md:9; proofs_notes/lids.md:3; proofs_notes/lids.md:8; "
+        "spec/01-boxes.md:20"
     )
     text = f"{BOXES}:10: BOX-LID-2: changed since it was locked; read again: {places} [changed]"
     assert (code, said.splitlines()[0]) == (1, text)
@@ -92,7 +94,7 @@ def test_lock_writes_the_named_clauses(tmp_path: Path) -> None:
         "BOX-LID-2 locked; read again:",
         "  code   reference/clers/toys.py:13 (lid)",
         "  test   tests/test_toys.py:9 (test_lid)",
-        "  note   proofs_notes/lids.md:3",
+        "  note   proofs_notes/README.md:9",
     ]
 
 
@@ -152,7 +154,10 @@ def test_show(tmp_path: Path) -> None:
         "BOX-LID-2  (spec/01-boxes.md:10)\nA lid has no box.\n\n"
         "  code   reference/clers/toys.py:13 (lid)\n"
         "  test   tests/test_toys.py:9 (test_lid)\n"
-        "  note   proofs_notes/lids.md:3\n",
+        "  note   proofs_notes/README.md:9\n"
+        "  note   proofs_notes/lids.md:3\n"
+        "  note   proofs_notes/lids.md:8\n"
+        "  prose  spec/01-boxes.md:20\n",
     )
     assert call(tmp_path, "show", "BOX-LID-3") == (2, "")
 
@@ -171,7 +176,7 @@ def test_list(tmp_path: Path) -> None:
         0,
         "clause     code  law  test  note  prose  text\n"
         "BOX-LID-1  2     1    0     1     1      A box has one lid; it lies on top.\n"
-        "BOX-LID-2  1     0    1     1     0      A lid has no box.\n",
+        "BOX-LID-2  1     0    1     3     1      A lid has no box.\n",
     )
     answer = json.loads(call(tmp_path, "list", "--json")[1])
     assert [clause["clause"] for clause in answer] == list(CLAUSES)

@@ -19,6 +19,7 @@ TOYS = "reference/clers/toys.py"
 LAWS = "reference/clers/boxes/laws.py"
 TEST = "tests/test_toys.py"
 NOTE = "proofs_notes/lids.md"
+PROOFS = "proofs_notes/README.md"
 README = "README.md"
 LOCK = "spec/lock.json"
 
@@ -157,7 +158,10 @@ def test_kinds(tmp_path: Path) -> None:
     assert sites("BOX-LID-2") == (
         Citation("BOX-LID-2", Kind.CODE, TOYS, 13, "lid"),
         Citation("BOX-LID-2", Kind.TEST, TEST, 9, "test_lid"),
+        Citation("BOX-LID-2", Kind.NOTE, PROOFS, 9),
         Citation("BOX-LID-2", Kind.NOTE, NOTE, 3),
+        Citation("BOX-LID-2", Kind.NOTE, NOTE, 8),
+        Citation("BOX-LID-2", Kind.PROSE, BOXES, 20),
     )
     assert sites("TOY-RULE-1") == (
         Citation("TOY-RULE-1", Kind.CODE, TOYS, 8, "Toy.count"),

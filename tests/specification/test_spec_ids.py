@@ -65,7 +65,9 @@ def test_gap(tmp_path: Path) -> None:
 def test_retired_fills_a_gap(tmp_path: Path) -> None:
     """Clause: CONV-CLAUSE-7."""
     files = {
-        path: text.replace("BOX-LID-1 … BOX-LID-3", "BOX-LID-1, BOX-LID-3").replace(" to ", ", ")
+        path: text.replace("BOX-LID-1 … BOX-LID-3", "BOX-LID-1, BOX-LID-3").replace(
+            "-1 to ", "-1, "
+        )
         for path, text in renamed("BOX-LID-2", "BOX-LID-3").items()
     }
     retired = "# Retired\n\n- **BOX-LID-2.** Said what BOX-LID-3 says.\n"

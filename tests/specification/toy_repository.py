@@ -50,10 +50,46 @@ It takes 1.7356<!--= golden.bits-per-triangle --> bits.
 >>> lids + 1
 3
 ```
+
+See [why BOX-LID-2](../proofs_notes/lids.md).
 """,
         "spec/README.md": "# Pages\n\n[Rules](00-conventions.md), [boxes](01-boxes.md#boxes).\n",
         "README.md": "# Toys\n\nSee [boxes](spec/01-boxes.md#what-is-a-box) and BOX-LID-1.\n",
-        "proofs_notes/lids.md": "# Lids\n\nBy BOX-LID-1 to BOX-LID-2, no.\n",
+        "proofs_notes/lids.md": """# Lids
+
+By BOX-LID-1 to BOX-LID-2, no.
+
+## Why not?
+
+- **Theorem.** `no-lid-of-a-lid`
+- **Clauses.** BOX-LID-2
+- **Known by.** Coq `Clers.Lids.none`; z3 `smt/lids.py: none`; certificate `certificates/lids.json`;
+  exhaustive to 3 lids (`tests/test_toys.py`); prose
+- **Laws.** `tests/test_toys.py`
+- **Assumes.** that lids are boxes
+""",
+        "proofs_notes/README.md": """# Proofs
+
+<!-- theorems: written by `clers spec proofs --write` -->
+
+Theorems: 1, in notes: 1, for clauses: 1. Known: 1 by certificate, 1 by coq, 1 by exhaustive, \
+1 by prose, 1 by z3; by words alone: 0.
+
+| theorem | known by | clauses | laws and tests |
+|---|---|---|---|
+| [`no-lid-of-a-lid`](lids.md#why-not) | Coq `Clers.Lids.none`; z3 `smt/lids.py: none`; \
+certificate `certificates/lids.json`; exhaustive to 3 lids (`tests/test_toys.py`); prose | \
+BOX-LID-2 | `tests/test_toys.py` |
+
+<!-- end of theorems -->
+""",
+        "proofs_notes/coq/Lids.v": """(* No (* lid *)
+Theorem lid. *)
+Theorem none : True.
+Proof. exact I. Qed.
+""",
+        "proofs_notes/smt/lids.py": 'LEMMAS = (Lemma("none", 1), Control("some", 2))\n',
+        "proofs_notes/certificates/lids.json": "{}\n",
         "reference/clers/conventions/clause.py": '''\
 """Generated from spec/ by `clers spec generate`; do not edit."""
 

@@ -153,3 +153,41 @@ def list_clauses(
         cut = opening if len(opening) <= 60 else f"{opening[:59]}…"
         rows.append([text.clause, *(kinds.count(kind) for kind in Kind), cut])
     table(["clause", *map(str, Kind), "text"], rows)
+
+
+@app.command()
+def proofs(
+    root: Root = None,
+    as_json: AsJson = False,
+    write: Annotated[bool, typer.Option("--write", help="Put the table into the readme.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Print faults only.")] = False,
+) -> None:
+    """Print the theorems that clauses rest on and how each is known; find dead references."""
+    from clers.specification.clause_module import replace_file
+    from clers.specification.proof_table import ids_in_words, row, spliced, summary
+    from clers.specification.proofs import all_theorems, findings_of
+    from clers.specification.repository import read
+    from clers.specification.theorems import README
+
+    if write and check:
+        raise typer.BadParameter("--write or --check, not both")
+    repository = read(_root(root))
+    found, readme = all_theorems(repository), repository.root / README
+    if write and readme.is_file():
+        text = spliced(readme.read_text(encoding="utf-8"), found)
+        if text is not None:
+            replace_file(readme, text)
+    findings = findings_of(repository)
+    if as_json:
+        json({"theorems": list(map(row, found)), "findings": findings})
+    else:
+        if not check:
+            for item in map(row, found):
+                line(f"{item.theorem}  ({item.note}:{item.line})")
+                line(f"  known by  {'; '.join(words for _, words in item.known_by)}")
+                line(f"  clauses   {ids_in_words(item.clauses)}")
+                line(f"  laws      {', '.join(item.laws) or 'none'}")
+        for finding in findings:
+            line(finding.sentence)
+        line(f"{summary(found)} {len(findings)} findings")
+    stop(Exit.NOT_CONFORMING if findings else Exit.CONFORMING)

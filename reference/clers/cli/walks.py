@@ -56,6 +56,7 @@ def trace(
     as_json: AsJson = False,
 ) -> None:
     """Show the walk step by step: symbol, gate, apex, stack; as text, JSON, or pictures."""
+    # The pictures of the worked examples are drawn by this: TOOL-PAGE-2.
     from clers.edgebreaker.encode import encode
     from clers.edgebreaker.outline import outline
     from clers.edgebreaker.trace import trace as entries_of

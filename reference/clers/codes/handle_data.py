@@ -77,14 +77,19 @@ def _number(value: int) -> tuple[int, ...]:
     return (size, *pieces(value + 1 - (1 << size), size)) if size else (0,)
 
 
+def message(seen: Sequence[Closing], symbols: int) -> tuple[Model, tuple[int, ...]]:
+    """What is coded for the closings of a word of so many symbols. Clause: CODE-HAND-4."""
+    written: list[int] = []
+    for closing in seen:
+        written += _number(closing.passed)
+        written += (KINDS.index(closing.kind), SIDES.index(closing.side))
+        written += _number(closing.between)
+    return _model(len(seen), symbols), tuple(written)
+
+
 def encode(seen: Sequence[Closing], symbols: int) -> Accepted[Bits] | Rejected:
     """The bits of the closings of a word of so many symbols. Clauses: CODE-HAND-4, CODE-HAND-6."""
-    message: list[int] = []
-    for closing in seen:
-        message += _number(closing.passed)
-        message += (KINDS.index(closing.kind), SIDES.index(closing.side))
-        message += _number(closing.between)
-    return coder.encode(_model(len(seen), symbols), message)
+    return coder.encode(*message(seen, symbols))
 
 
 def decode(bits: Bits, count: int, symbols: int) -> Accepted[tuple[Closing, ...]] | Rejected:

@@ -3,7 +3,7 @@
 from typing import Final
 
 from clers.conventions.law import AnyLaw
-from clers.edgebreaker import laws_counts, laws_fold, laws_tree
+from clers.edgebreaker import laws_counts, laws_fold, laws_lists, laws_tree
 from clers.edgebreaker.codec import FAST_ZIP, FOLD, REFERENCE, WRAP_AND_ZIP
 from clers.edgebreaker.laws_codec import laws_of
 
@@ -14,5 +14,6 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
     *laws_of(FOLD),
     *laws_counts.LAWS,
     *laws_fold.LAWS,
+    *laws_lists.LAWS,
     *laws_tree.LAWS,
 )

@@ -16,9 +16,11 @@ from clers.specification.identity import (
 )
 from clers.specification.links import indexed, resolved
 from clers.specification.numbers import as_computed
+from clers.specification.proofs import RULES as PROOFS
 from clers.specification.registry import registered
 from clers.specification.repository import Repository
 from clers.specification.values import VALUES
+from clers.specification.worked.rule import as_worked
 
 RULES: Final[tuple[Rule, ...]] = (
     well_formed,
@@ -37,6 +39,8 @@ RULES: Final[tuple[Rule, ...]] = (
     indexed,
     as_shown,
     as_computed(VALUES),
+    as_worked,
+    *PROOFS,
 )
 
 

@@ -14,7 +14,7 @@ INDEX: Final = "spec/README.md"
 _ELSEWHERE: Final = re.compile(r"[a-z][a-z0-9+.-]*:|//", re.IGNORECASE)
 
 
-def _inside(page: Page, target: str) -> str | None:
+def inside(page: Page, target: str) -> str | None:
     """The path from the root that a relative target means; None if it leaves the repository."""
     if target.startswith("/"):
         return None
@@ -31,7 +31,7 @@ def _inside(page: Page, target: str) -> str | None:
 
 def _fault(of: Repository, pages: Mapping[str, Page], page: Page, target: str) -> str | None:
     file, _, anchor = target.partition("#")
-    path = _inside(page, unquote(file)) if file else page.path
+    path = inside(page, unquote(file)) if file else page.path
     if path is None:
         return "leaves the repository"
     if not (of.root / path).exists():
@@ -59,7 +59,7 @@ def indexed(of: Repository) -> Iterator[Finding]:
     """The readme of the specification links to all its other pages. Clause: CONV-PROSE-4."""
     index = next((page for page in of.pages if page.path == INDEX), None)
     linked = (
-        {_inside(index, link.target.partition("#")[0]) for link in links(index)} if index else set()
+        {inside(index, link.target.partition("#")[0]) for link in links(index)} if index else set()
     )
     for page in of.pages:
         if page.path.startswith("spec/") and page.path not in (INDEX, *linked):

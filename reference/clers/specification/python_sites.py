@@ -3,7 +3,7 @@
 import ast
 import io
 import tokenize
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
@@ -44,25 +44,40 @@ def read_module(path: str, source: str, kind: Kind) -> Module:
         tree = ast.parse(source)
     except SyntaxError as error:
         return Module(path, fault=(error.lineno or 1, error.msg))
-    calls = tuple(_law_calls(tree)) if kind is Kind.CODE else ()
+    nodes = tuple(_nodes(tree))
+    calls = tuple(_law_calls(nodes)) if kind is Kind.CODE else ()
     said, named = (Kind.PROSE, Kind.LAW) if calls else (kind, kind)
     laws = tuple(call for call in calls if call.name)
-    spans = (*laws, *_definitions(tree))
+    spans = (*laws, *_definitions(nodes))
     found = [
         *(
             (clause, said if documents else Kind.PROSE, line)
-            for clause, line, documents in _said(source, _documents(tree))
+            for clause, line, documents in _said(source, _documents(nodes))
         ),
-        *((clause, named, line) for clause, line in _named(tree)),
+        *((clause, named, line) for clause, line in _named(nodes)),
     ]
     found.sort(key=lambda site: site[2])
     sites = (Citation(id_, as_, path, line, _innermost(spans, line)) for id_, as_, line in found)
     return Module(path, tuple(sites), laws)
 
 
-def _law_calls(tree: ast.AST) -> Iterator[Span]:
+def _nodes(tree: ast.AST) -> Iterator[tuple[ast.AST, str]]:
+    """All nodes in the source's order, each with the dotted name of its definitions, own included.
+
+    They are walked once, for the walk takes longer than all that is asked of the nodes.
+    """
+    waiting = [(tree, "")]
+    while waiting:
+        node, name = waiting.pop()
+        if isinstance(node, _DEFINITIONS):
+            name = f"{name}.{node.name}" if name else node.name
+        yield node, name
+        waiting += [(child, name) for child in ast.iter_child_nodes(node)][::-1]
+
+
+def _law_calls(nodes: Iterable[tuple[ast.AST, str]]) -> Iterator[Span]:
     """The calls `Law(name, …)`; the name is empty where it is computed."""
-    for node in ast.walk(tree):
+    for node, _ in nodes:
         match node:
             case ast.Call(func=ast.Name("Law"), args=[name, *_], end_lineno=int(last)):
                 known = name.value if isinstance(name, ast.Constant) else ""
@@ -71,16 +86,12 @@ def _law_calls(tree: ast.AST) -> Iterator[Span]:
                 pass
 
 
-def _definitions(tree: ast.AST) -> Iterator[Span]:
+def _definitions(nodes: Iterable[tuple[ast.AST, str]]) -> Iterator[Span]:
     """Classes and functions with their dotted names."""
-    waiting = [(tree, "")]
-    while waiting:
-        node, name = waiting.pop()
+    for node, name in nodes:
         if isinstance(node, _DEFINITIONS):
-            name = f"{name}.{node.name}" if name else node.name
             first = min([node.lineno, *(mark.lineno for mark in node.decorator_list)])
             yield Span(first, node.end_lineno or node.lineno, name)
-        waiting += [(child, name) for child in ast.iter_child_nodes(node)]
 
 
 def _innermost(spans: tuple[Span, ...], line: int) -> str:
@@ -89,11 +100,11 @@ def _innermost(spans: tuple[Span, ...], line: int) -> str:
     return min(around, key=lambda span: span.last - span.first).name if around else ""
 
 
-def _documents(tree: ast.AST) -> frozenset[tuple[int, int]]:
+def _documents(nodes: Iterable[tuple[ast.AST, str]]) -> frozenset[tuple[int, int]]:
     """Where docstrings begin (line, column): those of modules, definitions and constants."""
     return frozenset(
         (node.lineno, node.col_offset)
-        for node in ast.walk(tree)
+        for node, _ in nodes
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     )
 
@@ -108,9 +119,9 @@ def _said(source: str, documents: frozenset[tuple[int, int]]) -> Iterator[tuple[
                 yield mention.clause, line, documents_it
 
 
-def _named(tree: ast.AST) -> Iterator[tuple[str, int]]:
+def _named(nodes: Iterable[tuple[ast.AST, str]]) -> Iterator[tuple[str, int]]:
     """Attributes `Clause.X` that have the form of an id, with their lines."""
-    for node in ast.walk(tree):
+    for node, _ in nodes:
         match node:
             case ast.Attribute(value=ast.Name("Clause"), attr=name, end_lineno=int(line)):
                 clause = of_member(name)

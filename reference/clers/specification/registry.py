@@ -11,7 +11,7 @@ from clers.specification.repository import Repository
 REGISTRY: Final = "reference/clers/laws.py"
 
 
-def _is_running(of: Repository) -> bool:
+def is_running(of: Repository) -> bool:
     """Whether the repository read is the one this program runs from."""
     return (of.root / REGISTRY).resolve() == Path(clers.__file__).with_name("laws.py").resolve()
 
@@ -21,7 +21,7 @@ def registered(of: Repository) -> Iterator[Finding]:
 
     Only the running program's own registry can be asked; of other repositories nothing is said.
     """
-    if not _is_running(of):
+    if not is_running(of):
         return
     try:
         from clers.laws import ALL, names_given_twice
