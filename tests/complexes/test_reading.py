@@ -24,9 +24,10 @@ from golden_complexes import (
     accepted,
 )
 
-from clers.complexes.corner_table import face_list, surface
+from clers.complexes.corner_table import face_list, surface, surface_of_indices
 from clers.complexes.definition import first_fault, is_coherent_surface
 from clers.complexes.face_list import DEFAULT_LIMITS, FaceList, Limits
+from clers.complexes.index_list import IndexList, index_list, listed_faces
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -240,3 +241,38 @@ def test_all_lists_of_four_faces(vertices: int, surfaces: int) -> None:
             assert expected is not None
             assert (got.reason, got.where) == (expected.reason, expected.where)
     assert found == surfaces
+
+
+def test_index_lists_by_hand() -> None:
+    """Clause: CPLX-INPUT-5."""
+    buffer = bytes.fromhex("00000000 01000000 02000000 ffffffff 00010000 00000080")
+    found = index_list(buffer, 4)
+    assert found == Accepted(IndexList(buffer, 4))
+    assert IndexList(buffer, 4).faces == 2
+    faces = ((0, 1, 2), (0xFFFF_FFFF, 0x100, 0x8000_0000))
+    assert listed_faces(IndexList(buffer, 4)) == FaceList(faces, 4)
+    assert index_list(b"", 0) == Accepted(IndexList(b"", 0))
+    for length in (1, 11, 13, 23):
+        told = Rejected(
+            Reason.NOT_TRIANGLES, Clause.CPLX_INPUT_5, detail=f"{length} bytes, a face has 12"
+        )
+        assert index_list(buffer[:length], 4) == told
+
+
+@pytest.mark.parametrize(("name", "given", "reason", "clause", "where"), FAULTS)
+def test_faults_of_index_lists(
+    name: str, given: FaceList, reason: Reason, clause: Clause, where: Where
+) -> None:
+    """Clause: CPLX-INPUT-6."""
+    buffer = b"".join((v % 2**32).to_bytes(4, "little") for face in given.faces for v in face)
+    found = surface_of_indices(IndexList(buffer, given.vertices))
+    assert isinstance(found, Rejected), name
+    assert (found.reason, found.clause, found.where) == (reason, clause, where)
+
+
+def test_limits_of_index_lists() -> None:
+    """Clause: CPLX-INPUT-3."""
+    square = IndexList(bytes.fromhex("000000000100000002000000000000000200000003000000"), 4)
+    assert isinstance(surface_of_indices(square, Limits(2, 4)), Accepted)
+    for limits in (Limits(1, 4), Limits(2, 3)):
+        assert isinstance(surface_of_indices(square, limits), Rejected)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from clers.codes.registry import CodeName
-from clers.complexes.corner_table import surface
+from clers.complexes.corner_table import surface, surface_of_indices
 from clers.complexes.topology import components
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
@@ -19,6 +19,7 @@ from clers.measure.clock import Spent, Spread, now, spread
 from clers.measure.path import must, timed_path
 from clers.measure.speed import report as reporting
 from clers.measure.speed.contender import Attempt, Contender, Given, Kind, Reading, Way
+from clers.measure.speed.contender import given as given_as
 from clers.measure.speed.memory import Memory, memory
 from clers.measure.speed.ours import CODES, OURS, STEPS, whole
 from clers.measure.speed.plot import apart, figure, largest, points
@@ -40,8 +41,7 @@ from clers.measure.speed.tables import made_by, page, refused_lines, tables
 
 
 def given(name: str = "sphere", faces: int = 8) -> Given:
-    mesh = sphere_of(faces)
-    return Given(name, mesh, must(surface(mesh)))
+    return given_as(name, must(surface(sphere_of(faces))))
 
 
 def quiet(_: str) -> None:
@@ -144,7 +144,7 @@ def test_our_codes() -> None:
 def test_a_surface_that_comes_back_changed() -> None:
     """TOOL-SPEED-1: another number of faces is no result."""
     other = given(faces=32)
-    swapped = Given("swapped", given().faces, other.surface)
+    swapped = Given("swapped", given().indices, other.surface)
     refused = sampled(swapped, [whole(CodeName.GOLDEN)], 1, quiet).refused
     told = Rejected(Reason.CAME_BACK_CHANGED, Clause.TOOL_SPEED_1, detail="swapped")
     assert refused == {"golden": told.line()}
@@ -152,7 +152,7 @@ def test_a_surface_that_comes_back_changed() -> None:
 
 def test_the_path_is_timed_step_by_step() -> None:
     """TOOL-SPEED-3: the first steps are those that are taken apart."""
-    timed = list(timed_path(given().faces, CodeName.BEST))
+    timed = list(timed_path(given().indices, CodeName.BEST))
     assert [each.step for each in timed][: len(STEPS)] == list(STEPS)
     assert [each.step for each in timed][len(STEPS) :] == ["write file", "read file"]
     assert all(each.spent.wall > 0 for each in timed)
@@ -214,12 +214,12 @@ def test_no_ratio_to_a_clock_that_stood_still() -> None:
 
 
 def test_memory_of_processes() -> None:
-    """TOOL-SPEED-6: a list of faces takes three references and a tuple at least."""
+    """TOOL-SPEED-6: the indices take twelve bytes, in pages; corners eight, kept twice."""
     found = memory(given(faces=20_000), CodeName.GOLDEN)
     assert found.code == "golden"
-    assert 60 < found.face_list < 400
-    assert 20 < found.encode < 4000
-    assert 20 < found.decode < 4000
+    assert 10 < found.index_list < 30
+    assert 48 < found.encode < 200
+    assert 48 < found.decode < 200
 
 
 # Growth
@@ -264,7 +264,7 @@ def test_sizes_and_spheres() -> None:
     assert [(each.name, each.surface.faces) for each in found] == [
         ("sphere-200", 200), ("sphere-2000", 2000),
     ]  # fmt: skip
-    assert all(each.surface == must(surface(each.faces)) for each in found)
+    assert all(each.surface == must(surface_of_indices(each.indices)) for each in found)
 
 
 def test_every_family_at_every_size() -> None:

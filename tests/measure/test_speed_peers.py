@@ -16,8 +16,7 @@ from typer.testing import CliRunner, Result
 
 from clers.cli.main import app
 from clers.cli.output import Exit
-from clers.complexes.corner_table import surface
-from clers.complexes.face_list import FaceList
+from clers.complexes.corner_table import surface, surface_of_indices
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Rejected
@@ -28,6 +27,7 @@ from clers.measure.peers.draco import arrays, encoded, encoded_arrays
 from clers.measure.peers.draco_inside import watched
 from clers.measure.speed import peers
 from clers.measure.speed.contender import Given, Kind, Way
+from clers.measure.speed.contender import given as given_as
 from clers.measure.speed.memory import Memory
 from clers.measure.speed.peers import PEERS, WHOLE_CALL
 from clers.measure.speed.rates import Samples, sampled
@@ -41,8 +41,7 @@ Indices = npt.NDArray[np.uint32]
 
 
 def given(faces: int = 2000) -> Given:
-    mesh = sphere_of(faces)
-    return Given("sphere", mesh, must(surface(mesh)))
+    return given_as("sphere", must(surface(sphere_of(faces))))
 
 
 def quiet(_: str) -> None:
@@ -290,6 +289,5 @@ def test_faces_of_files_are_those_of_the_mesh() -> None:
     from clers.cli.speed import _read
 
     (read,) = _read([Path(RING)], as_json=False)
-    assert (read.name, read.faces.vertices, len(read.faces.faces)) == ("ring", 6, 6)
-    assert read.surface == must(surface(read.faces))
-    assert isinstance(read.faces, FaceList)
+    assert (read.name, read.indices.vertices, read.indices.faces) == ("ring", 6, 6)
+    assert read.surface == must(surface_of_indices(read.indices))

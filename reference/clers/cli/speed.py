@@ -50,11 +50,9 @@ def speed(
 
 def _read(files: list[Path], as_json: bool) -> "list[Given]":
     """The meshes of files, before anything is timed. TOOL-SPEED-1."""
-    from clers.complexes.face_list import FaceList
-    from clers.measure.speed.contender import Given
+    from clers.measure.speed.contender import given
 
-    read = [(file.stem, load(file, as_json=as_json).surface) for file in files]
-    return [Given(name, FaceList(tuple(of.triangles()), of.vertices), of) for name, of in read]
+    return [given(file.stem, load(file, as_json=as_json).surface) for file in files]
 
 
 def _command(

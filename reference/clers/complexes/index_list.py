@@ -1,6 +1,8 @@
 """Index lists: faces in a buffer, as graphics libraries hold them."""
 
 from dataclasses import dataclass
+from itertools import chain
+from struct import pack
 from typing import Final
 
 from librt.vecs import vec
@@ -52,5 +54,5 @@ def listed_faces(given: IndexList) -> FaceList:
 
 def buffered(given: FaceList) -> IndexList:
     """The index list of a face list, whose numbers are from 0 to 2^32 - 1. CPLX-INPUT-5."""
-    words = (v.to_bytes(4, "little") for face in given.faces for v in face)
-    return IndexList(b"".join(words), given.vertices)
+    numbers = tuple(chain.from_iterable(given.faces))
+    return IndexList(pack(f"<{len(numbers)}I", *numbers), given.vertices)

@@ -2,11 +2,12 @@
 
 from typing import Final
 
-from clers.complexes.corner_table import by_clauses, face_list, surface
+from clers.complexes.corner_table import by_clauses, face_list, surface, surface_of_indices
 from clers.complexes.definition import first_fault, is_coherent_surface, is_surface, sides
 from clers.complexes.face_list import DEFAULT_LIMITS, FaceList, Limits
 from clers.complexes.fans import fans
 from clers.complexes.given import FACE_LISTS, REPAIRABLE, SMALL_SURFACES, SURFACES
+from clers.complexes.index_list import buffered, listed_faces
 from clers.complexes.matching import mates
 from clers.complexes.simplicial import closure, link, pieces
 from clers.complexes.surface import (
@@ -23,6 +24,7 @@ from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.verdict import Fails, Holds, Verdict
 from clers.conventions.where import AtFace, AtVertex
+from clers.kernels.table import WORD
 
 
 def _fault(given: FaceList) -> Verdict:
@@ -45,6 +47,21 @@ def _fault(given: FaceList) -> Verdict:
 
 def _by_clauses(given: FaceList) -> Verdict:
     return same(by_clauses(given), surface(given))
+
+
+def _in_words(given: FaceList) -> bool:
+    """Whether the numbers go into an index list."""
+    return all(0 <= v <= WORD for face in given.faces for v in face)
+
+
+def _buffered(given: FaceList) -> Verdict:
+    return same(given, listed_faces(buffered(given))) if _in_words(given) else Holds()
+
+
+def _indices(given: FaceList) -> Verdict:
+    if not _in_words(given):
+        return Holds()
+    return same(surface(given), surface_of_indices(buffered(given)))
 
 
 def _accepted(given: FaceList) -> Verdict:
@@ -176,6 +193,27 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
         "By sorting comes the corner table that comes by the clauses one after another.",
         FACE_LISTS,
         _by_clauses,
+    ),
+    Law(
+        "index-lists-are-face-lists",
+        Clause.CPLX_INPUT_5,
+        "A face list in a buffer, read again, is the same face list.",
+        FACE_LISTS,
+        _buffered,
+    ),
+    Law(
+        "index-lists-are-judged-as-face-lists",
+        Clause.CPLX_INPUT_6,
+        "An index list has the surface of its face list, or is rejected for the same reason there.",
+        FACE_LISTS,
+        _indices,
+    ),
+    Law(
+        "repairable-index-lists-are-judged-as-face-lists",
+        Clause.CPLX_INPUT_6,
+        "So it is where faces are turned over, vertices pinched together or not used.",
+        REPAIRABLE,
+        _indices,
     ),
     Law(
         "kernels-refuse-what-clauses-refuse",

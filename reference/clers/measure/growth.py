@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from clers.complexes.index_list import buffered
 from clers.generate.families import sphere_of
 from clers.measure.path import shuffled, timed_path
 
@@ -48,7 +49,7 @@ def measure(
         for mesh, found in zip(meshes, best, strict=True):
             step(f"{len(mesh.faces)} faces")
             gc.collect()
-            for timed in timed_path(mesh):
+            for timed in timed_path(buffered(mesh)):
                 wall = timed.spent.wall
                 found[timed.step] = min(wall, found.get(timed.step, wall))
     gc.enable()

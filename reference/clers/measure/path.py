@@ -9,8 +9,9 @@ from clers.codes.closings import closings
 from clers.codes.registry import CodeName
 from clers.codes.registry import decode as decode_word
 from clers.codes.registry import encode as encode_word
-from clers.complexes.corner_table import surface
+from clers.complexes.corner_table import surface_of_indices
 from clers.complexes.face_list import FaceList
+from clers.complexes.index_list import IndexList
 from clers.container import file
 from clers.conventions.result import Accepted, Rejected
 from clers.edgebreaker.decode import decode
@@ -48,8 +49,8 @@ def must(result: Accepted[T] | Rejected) -> T:
             raise AssertionError(rejected.line())
 
 
-def timed_path(given: FaceList, code: CodeName = CodeName.GOLDEN) -> Iterator[Timed]:
-    """Walk the whole path once, from a face list to bytes and back, and time each step.
+def timed_path(given: IndexList, code: CodeName = CodeName.GOLDEN) -> Iterator[Timed]:
+    """Walk the whole path once, from an index list to bytes and back, and time each step.
 
     The caller may end it after any step.
     """
@@ -61,7 +62,7 @@ def timed_path(given: FaceList, code: CodeName = CodeName.GOLDEN) -> Iterator[Ti
         start = now()
         return Timed(step, spent)
 
-    built = must(surface(given))
+    built = must(surface_of_indices(given))
     yield since("surface")
     encoding = encode(built)
     stream = encoding.stream

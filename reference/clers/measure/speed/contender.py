@@ -4,7 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
-from clers.complexes.face_list import FaceList
+from clers.complexes.corner_table import face_list
+from clers.complexes.index_list import IndexList, buffered
 from clers.complexes.surface import Surface
 from clers.conventions.result import Accepted, Rejected
 from clers.measure.clock import Spent
@@ -27,11 +28,16 @@ class Way(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """A mesh, as a list of faces and as the surface that it is."""
+    """A mesh, as an index list and as the surface that it is."""
 
     name: str
-    faces: FaceList
+    indices: IndexList
     surface: Surface
+
+
+def given(name: str, surface: Surface) -> Given:
+    """A surface to be coded."""
+    return Given(name, buffered(face_list(surface)), surface)
 
 
 @dataclass(frozen=True, slots=True)

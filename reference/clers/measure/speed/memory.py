@@ -2,25 +2,23 @@
 
 import subprocess
 import sys
-from array import array
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from clers.codes.registry import CodeName
 from clers.measure.speed.contender import Given
-from clers.measure.speed.peak import NUMBERS
 
 
 @dataclass(frozen=True, slots=True)
 class Memory:
-    """Bytes per triangle: of the face list, and at most beside it, and of decoding. TOOL-SPEED-6.
+    """Bytes per triangle: of the index list, and at most beside it, and of decoding. TOOL-SPEED-6.
 
-    `encode` is beside the face list; `decode` includes the surface that is made.
+    `encode` is beside the index list; `decode` includes the surface that is made.
     """
 
     code: str
-    face_list: float
+    index_list: float
     encode: float
     decode: float
 
@@ -30,7 +28,7 @@ def memory(given: Given, code: CodeName) -> Memory:
     faces = given.surface.faces
     with TemporaryDirectory() as folder:
         indices, data = Path(folder, "indices"), Path(folder, "data")
-        indices.write_bytes(array(NUMBERS, given.surface.vertex).tobytes())
+        indices.write_bytes(given.indices.buffer)
         vertices = str(given.surface.vertices)
         listed, more = _ask("encode", code, vertices, str(indices), str(data))
         (back,) = _ask("decode", str(data))

@@ -1,10 +1,10 @@
-"""Our own codes as contenders: from faces to a file and back; and the steps of the path apart."""
+"""Our own codes as contenders: from an index list to a file and back; and the steps apart."""
 
 from itertools import islice
 from typing import Final
 
 from clers.codes.registry import CodeName
-from clers.complexes.corner_table import surface
+from clers.complexes.corner_table import surface_of_indices
 from clers.container import file
 from clers.container.options import Options
 from clers.conventions.clause import Clause
@@ -33,7 +33,7 @@ def step_name(code: str, step: str) -> str:
 
 
 def whole(code: CodeName) -> Contender:
-    """From a list of faces to the bytes of a file, and from those to a surface. TOOL-SPEED-1."""
+    """From an index list to the bytes of a file, and from those to a surface. TOOL-SPEED-1."""
 
     def ready(given: Given) -> Accepted[Attempt] | Rejected:
         return Accepted(lambda: _there_and_back(code, given))
@@ -43,7 +43,9 @@ def whole(code: CodeName) -> Contender:
 
 def _there_and_back(code: CodeName, given: Given) -> Accepted[tuple[Reading, ...]] | Rejected:
     start = now()
-    data = and_then(surface(given.faces), lambda s: file.encode(s, None, Options(code)))
+    data = and_then(
+        surface_of_indices(given.indices), lambda s: file.encode(s, None, Options(code))
+    )
     encoded = now() - start
     if isinstance(data, Rejected):
         return data
@@ -70,7 +72,7 @@ def steps(code: CodeName) -> Contender:
 
     def ready(given: Given) -> Accepted[Attempt] | Rejected:
         def attempt() -> Accepted[tuple[Reading, ...]]:
-            timed = islice(timed_path(given.faces, code), len(STEPS))
+            timed = islice(timed_path(given.indices, code), len(STEPS))
             return Accepted(
                 tuple(
                     Reading(step_name(code, each.step), STEPS[each.step], each.spent)

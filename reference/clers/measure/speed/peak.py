@@ -5,29 +5,16 @@ python -m clers.measure.speed.peak decode FILE
 """
 
 import sys
-from array import array
 from pathlib import Path
-from typing import Final
 
 from clers.codes.registry import CodeName
-from clers.complexes.corner_table import surface
-from clers.complexes.face_list import FaceList
+from clers.complexes.corner_table import surface_of_indices
+from clers.complexes.index_list import index_list
 from clers.container import file
 from clers.container.options import Options
 from clers.conventions.result import and_then
 from clers.measure.path import must
 from clers.measure.peak import forget_peak, peak_bytes
-
-NUMBERS: Final = "I"
-"""Indices lie in their file as native words of 32 bits."""
-
-
-def faces_in(path: Path, vertices: int) -> FaceList:
-    """The face list of a file of indices."""
-    numbers = array(NUMBERS)
-    numbers.frombytes(path.read_bytes())
-    flat = iter(numbers)
-    return FaceList(tuple(zip(flat, flat, flat, strict=True)), vertices)
 
 
 def _anew() -> int:
@@ -37,11 +24,11 @@ def _anew() -> int:
 
 
 def encoded(code: CodeName, vertices: int, indices: Path, out: Path) -> tuple[int, int]:
-    """The bytes that the face list took, and at most were taken more. Clause: TOOL-SPEED-6."""
+    """The bytes that the index list took, and at most were taken more. Clause: TOOL-SPEED-6."""
     start = _anew()
-    given = faces_in(indices, vertices)
+    given = must(index_list(indices.read_bytes(), vertices))
     listed = _anew()
-    data = must(and_then(surface(given), lambda s: file.encode(s, None, Options(code))))
+    data = must(and_then(surface_of_indices(given), lambda s: file.encode(s, None, Options(code))))
     most = peak_bytes()
     out.write_bytes(data)
     return listed - start, most - listed

@@ -14,7 +14,7 @@ from clers.generate.irregular import irregular_sphere
 from clers.kernels import COMPILED
 from clers.measure.bits.report import version_of
 from clers.measure.path import must
-from clers.measure.speed.contender import Contender, Given, Kind, Way
+from clers.measure.speed.contender import Contender, Given, Kind, Way, given
 from clers.measure.speed.memory import Memory, memory
 from clers.measure.speed.ours import CODES, OURS, step_name, whole
 from clers.measure.speed.peers import PEERS
@@ -99,7 +99,7 @@ def spheres(faces: int) -> Iterable[Given]:
     """The two larger sizes of irregular spheres. Clause: TOOL-SPEED-1."""
     for size in sizes(faces)[1:]:
         mesh = irregular_sphere(size - size % 2, SEED)
-        yield Given(f"sphere-{len(mesh.faces)}", mesh, must(surface(mesh)))
+        yield given(f"sphere-{len(mesh.faces)}", must(surface(mesh)))
 
 
 def steps_of(meshes: int, rounds: int) -> int:
@@ -108,28 +108,28 @@ def steps_of(meshes: int, rounds: int) -> int:
     return meshes * coded + 3 * len(FAMILIES) * len(CODES) * rounds
 
 
-def measure(given: Iterable[Given], faces: int, rounds: int, step: Callable[[str], None]) -> Speed:
+def measure(meshes: Iterable[Given], faces: int, rounds: int, step: Callable[[str], None]) -> Speed:
     """Time all contenders on all meshes, then our codes on all families. TOOL-SPEED-1 … -7."""
     begin = load()
-    found = tuple(on_mesh(each, CONTENDERS, rounds, step) for each in given)
+    found = tuple(on_mesh(each, CONTENDERS, rounds, step) for each in meshes)
     grown = slopes(sizes(faces), [whole(code) for code in CODES], rounds, step)
     return Speed(machine((*begin, *load())), rounds, found, grown)
 
 
 def on_mesh(
-    given: Given, contenders: Sequence[Contender], rounds: int, step: Callable[[str], None]
+    mesh: Given, contenders: Sequence[Contender], rounds: int, step: Callable[[str], None]
 ) -> OnMesh:
     """One mesh. Clauses: TOOL-SPEED-1 … TOOL-SPEED-4, TOOL-SPEED-6."""
-    samples = sampled(given, contenders, rounds, step)
-    faces = given.surface.faces
+    samples = sampled(mesh, contenders, rounds, step)
+    faces = mesh.surface.faces
     timed = (*rates(samples, faces), *_rests(samples, faces))
     most: list[Memory] = []
     for code in CODES:
-        step(f"{given.name}, memory of {code}")
-        most.append(memory(given, code))
+        step(f"{mesh.name}, memory of {code}")
+        most.append(memory(mesh, code))
     return OnMesh(
-        given.name,
-        given.surface.vertices,
+        mesh.name,
+        mesh.surface.vertices,
         faces,
         timed,
         tuple(ratios(timed)),

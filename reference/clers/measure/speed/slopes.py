@@ -19,7 +19,7 @@ from clers.generate.families import (
 )
 from clers.generate.irregular import irregular_sphere
 from clers.measure.path import must, shuffled
-from clers.measure.speed.contender import Contender, Given, Way
+from clers.measure.speed.contender import Contender, Way, given
 from clers.measure.speed.rates import rates, sampled
 
 SEED: Final = 2007
@@ -67,8 +67,8 @@ def slopes(
         points: dict[tuple[str, Way], list[tuple[int, float]]] = {}
         for size in sizes:
             mesh = make(size)
-            given = Given(f"{family}, {size}", mesh, must(surface(mesh)))
-            samples = sampled(given, contenders, rounds, step)
+            each = given(f"{family}, {size}", must(surface(mesh)))
+            samples = sampled(each, contenders, rounds, step)
             for rate in rates(samples, len(mesh.faces)):
                 points.setdefault((rate.name, rate.way), []).append(
                     (len(mesh.faces), rate.cpu.median)

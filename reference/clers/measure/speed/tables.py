@@ -85,11 +85,11 @@ def _steps(of: OnMesh) -> Table:
 
 def _memory(meshes: Sequence[OnMesh]) -> Table:
     rows = tuple(
-        (mesh.mesh, each.code, *(f"{x:.0f}" for x in (each.face_list, each.encode, each.decode)))
+        (mesh.mesh, each.code, *(f"{x:.0f}" for x in (each.index_list, each.encode, each.decode)))
         for mesh in meshes
         for each in mesh.memory
     )
-    heads = ("mesh", "code", "face list", "encode, beside it", "decode, with the surface")
+    heads = ("mesh", "code", "index list", "encode, beside it", "decode, with the surface")
     return Table("bytes a triangle at the peak", heads, rows)
 
 
