@@ -359,7 +359,7 @@ def test_mutants_that_a_tool_makes(small: Path) -> None:
     chosen = Sample(
         3,
         (
-            of(module, "stranger is not None", "is not", "is"),
+            of(module, "fault is not None", "is not", "is"),
             of(module, "if at + width > len(digits)", ">", ">="),
             of(module, '"E": "111"', '"111"', '"110"'),
         ),

@@ -93,13 +93,19 @@ MUTANTS: Final = (
         Clause.ARITH_NARROW_1,
         INTERVAL,
         """\
-        high: i64 = low + width * upto // total - 1
-        low += width * below // total
-""",
+            high = low + width * upto // total - 1
+        if below > 0:
+            low += width * below // total
+        self.settle(low, high)
+
+    def decide(self, yes""",
         """\
-        high: i64 = low + width // total * upto - 1
-        low += width // total * below
-""",
+            high = low + width // total * upto - 1
+        if below > 0:
+            low += width // total * below
+        self.settle(low, high)
+
+    def decide(self, yes""",
         "The encoder divides before it multiplies.",
     ),
     Mutant(
@@ -114,24 +120,24 @@ MUTANTS: Final = (
         "decoder-not-strict",
         Clause.ARITH_STRICT_4,
         CODER,
-        "if not found.canonical:",
-        "if not found.canonical and found.length < 2:",
+        "    if not canonical:",
+        "    if not canonical and length < 2:",
         "Bits that no encoder ends a message with are accepted.",
     ),
     Mutant(
         "trailing-bits-accepted",
         Clause.ARITH_STRICT_3,
         CODER,
-        "if found.length < bits.length:",
-        "if found.length < bits.length - 8:",
+        "    if length < bits.length:",
+        "    if length < bits.length - 8:",
         "Up to eight bits too many are accepted.",
     ),
     Mutant(
         "truncated-bits-accepted",
         Clause.ARITH_STRICT_2,
         CODER,
-        "reading = _read(model, bits, count, bits.length)",
-        "reading = _read(model, bits, count, PRECISION * max(count, 0) + 2)",
+        "_read(model, bits, count, bits.length), lambda",
+        "_read(model, bits, count, PRECISION * max(count, 0) + 2), lambda",
         "Bits that are missing are read as zeros.",
     ),
     Mutant(

@@ -77,7 +77,7 @@ MUTANTS: Final = (
         "visited-gate-popped",
         Clause.EB_TRAVERSE_5,
         WALK,
-        "while height > 0 and visited[stack[height - 1] // 3] != 0:",
+        "while height > 0 and visited[stack[height - 1] // 3] != UNVISITED:",
         "while height > 0 and False:",
         "An E goes on at a gate whose triangle was visited since.",
     ),
@@ -85,8 +85,8 @@ MUTANTS: Final = (
         "one-visited-gate-popped",
         Clause.EB_TRAVERSE_5,
         WALK,
-        "while height > 0 and visited[stack[height - 1] // 3] != 0:",
-        "if height > 0 and visited[stack[height - 1] // 3] != 0:",
+        "while height > 0 and visited[stack[height - 1] // 3] != UNVISITED:",
+        "if height > 0 and visited[stack[height - 1] // 3] != UNVISITED:",
         "An E passes over one visited gate, and not over the next.",
     ),
     Mutant(
@@ -102,9 +102,12 @@ MUTANTS: Final = (
         Clause.EB_TRAVERSE_2,
         WALK,
         """\
-                mark[v] = MARKED
-                self.order""",
-        "                self.order",
+                self.meet(v)
+                gate""",
+        """\
+                self.meet(v)
+                mark[v] = UNSEEN
+                gate""",
         "A C does not mark its apex.",
     ),
     Mutant(
@@ -112,11 +115,11 @@ MUTANTS: Final = (
         Clause.EB_TRAVERSE_7,
         WALK,
         """\
-            self.mark[v] = MARKED
-            self.order = append(self.order, v)
+            self.meet(v)
             c = outgoing""",
         """\
-            self.order = append(self.order, v)
+            self.meet(v)
+            self.mark[v] = ON_CURVE
             c = outgoing""",
         "The vertices of a curve that was reached are not marked.",
     ),
@@ -124,14 +127,10 @@ MUTANTS: Final = (
         "root-not-marked",
         Clause.EB_COMPONENT_2,
         WALK,
+        "            self.meet(self.vertex[corner + k])\n",
         """\
-            self.mark[v] = MARKED
-            self.order = append(self.order, v)
-            k += 1
-""",
-        """\
-            self.order = append(self.order, v)
-            k += 1
+            self.meet(self.vertex[corner + k])
+            self.mark[self.vertex[corner + k]] = UNSEEN
 """,
         "The vertices of the first triangle are not marked.",
     ),
@@ -166,7 +165,8 @@ MUTANTS: Final = (
                 break
         order = list(self.order)
         first = order.index(self.vertex[start])
-        self.order = vec[i64](order[:first] + order[first:][::-1])
+        met = self.met
+        self.order = vec[i64](order[:first] + order[first:met][::-1] + order[met:])
 """,
         "The vertices of a curve are listed against its direction.",
     ),
