@@ -14,6 +14,7 @@ from clers.specification.identity import (
     stated_once,
     well_formed,
 )
+from clers.specification.leave import every_may
 from clers.specification.links import indexed, resolved
 from clers.specification.numbers import as_computed
 from clers.specification.proofs import RULES as PROOFS
@@ -40,6 +41,7 @@ RULES: Final[tuple[Rule, ...]] = (
     as_shown,
     as_computed(VALUES),
     as_worked,
+    every_may,
     *PROOFS,
 )
 
