@@ -20,6 +20,7 @@ from clers.specification.numbers import as_computed
 from clers.specification.proofs import RULES as PROOFS
 from clers.specification.registry import registered
 from clers.specification.repository import Repository
+from clers.specification.tutorial import every_place
 from clers.specification.values import VALUES
 from clers.specification.worked.rule import as_worked
 
@@ -42,6 +43,7 @@ RULES: Final[tuple[Rule, ...]] = (
     as_computed(VALUES),
     as_worked,
     every_may,
+    every_place,
     *PROOFS,
 )
 
