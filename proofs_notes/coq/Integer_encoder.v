@@ -160,10 +160,7 @@ Proof.
 Qed.
 
 (** The value that a decoder has at a place, when it reads these bits. ARITH-DECODE-1. *)
-Definition seen (l : list bool) (p : place) : Z := first (32 + shifts p) l - base p.
-
-(* Coq should unfold this before it tries to compute the first bits. *)
-Strategy expand [seen].
+Definition seen (l : list bool) (p : place) : Z := first (shifts p + 32) l - base p.
 
 Lemma seen_of_code : forall ss rest p, Forall valid ss -> p = run ss start ->
   ending p <= seen (code ss ++ rest) p <= ending p + quarter - 1.
@@ -171,7 +168,7 @@ Proof.
   intros ss rest p V P; pose proof (first_after (code ss) rest 30) as U.
   replace (power 30) with quarter in U by (rewrite quarter_is; reflexivity).
   rewrite code_length, code_times_quarter, <- P in U by exact V.
-  unfold seen; replace (32 + shifts p)%nat with (30 + (shifts p + 2))%nat by lia; lia.
+  unfold seen; replace (shifts p + 32)%nat with (30 + (shifts p + 2))%nat by lia; lia.
 Qed.
 
 (** ARITH-END-2: whatever follows the code, what is seen at its end lies in the last state. *)
@@ -201,7 +198,7 @@ Proof.
     pose proof (seen_of_code ss [] p V P) as S; rewrite app_nil_r in S.
     symmetry; apply (Z.div_unique _ _ _ (seen (code ss) p - ending p)); lia.
   - intros [L S]; apply value_injective; [lia|].
-    unfold seen in S; replace (32 + shifts p)%nat with (30 + length l)%nat in S by lia.
+    unfold seen in S; replace (shifts p + 32)%nat with (30 + length l)%nat in S by lia.
     rewrite first_beyond in S; replace (power 30) with quarter in S by (rewrite quarter_is; reflexivity).
     replace (quarter * value l - base p) with ((value l - value (code ss)) * quarter + ending p) in S by lia.
     rewrite Z.div_add_l in S; lia.
