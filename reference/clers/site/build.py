@@ -99,6 +99,7 @@ def _framed(
         "body": body,
         "groups": shown(all_, here),
         "sections": tuple(section for section in sections if section.level in (2, 3)),
+        "wide": here == CLAUSES,
         "before": before,
         "after": after,
     }

@@ -123,7 +123,7 @@ class Setter:
                 entries += _section(of, here, section, said)
                 section, said = waiting.pop(0), []
                 html, wrong = self.blocks(of.page, here, block[1:2])
-                made.append(_heading(section, html))
+                made.append(heading(section, html))
             elif clause and block[0].type == "blockquote_open":
                 body = _without_id(block[1:-1])
                 html, wrong = self.blocks(of.page, here, body)
@@ -159,7 +159,7 @@ def _section(of: Parsed, here: str, section: Heading, said: list[str]) -> list[E
     return [Entry(Kind.SECTION, section.title, of.title, href("", here, section.anchor), text)]
 
 
-def _heading(of: Heading, html: str) -> str:
+def heading(of: Heading, html: str) -> str:
     """A heading with its anchor and a sign to copy its address from."""
     name = f"h{of.level}"
     sign = (

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby, pairwise
 from typing import assert_never
 
-from clers.site.chapter import Setter
+from clers.site.chapter import Setter, heading
 from clers.site.dossier import PARTS, Dossier, Told
 from clers.site.entries import Entry, Kind
 from clers.site.headings import Heading
@@ -43,7 +43,7 @@ def laws_page(
     for chapter, group in groupby(ordered, lambda law: of.get(law.clause, 0)):
         section = Heading(1, 2, f"chapter-{chapter}", f"Chapter {chapter}")
         sections.append(section)
-        made.append(f'<h2 id="{section.anchor}">{section.title}</h2>\n')
+        made.append(heading(section, section.title))
         values = {"laws": tuple(group), "source": lambda path, line: _source(LAWS, path, line)}
         made.append(part_of("laws.html.jinja", values))
     entries = (
@@ -70,7 +70,7 @@ def clauses_page(
             "dossier": lambda clause, part: dossier_of(CLAUSES, clause, part),
             "opening": lambda of: _opening(texts[of.clause.clause]),
         }
-        made.append(f'<h2 id="{section.anchor}">{section.title}</h2>\n')
+        made.append(heading(section, section.title))
         made.append(part_of("clauses.html.jinja", values))
     return _linked(plan, CLAUSES, "".join(made)), tuple(sections)
 

@@ -49,6 +49,10 @@ def numbered(path: str, source: str, target: Target) -> str:
     python = path.endswith(".py")
     html = _python(source, target) if python else linked_text(_escaped(source), target)
     lines = html.removesuffix("\n").split("\n")
-    return "\n".join(
-        f'<span id="L{n}"><a href="#L{n}">{n}</a>{line}</span>' for n, line in enumerate(lines, 1)
+    # a line's end is within its element: between blocks it would be a line of its own
+    return (
+        "\n</span>".join(
+            f'<span id="L{n}"><a href="#L{n}">{n}</a>{line}' for n, line in enumerate(lines, 1)
+        )
+        + "</span>"
     )
