@@ -23,6 +23,7 @@ from clers.information import laws as information
 from clers.meshfile import laws as meshfile
 from clers.operators import laws as operators
 from clers.pictures import laws as pictures
+from clers.site import laws as site
 
 CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
     {
@@ -35,7 +36,7 @@ CHAPTERS: Final[Mapping[int, tuple[AnyLaw, ...]]] = MappingProxyType(
         7: geometry.LAWS,
         8: container.LAWS,
         9: (*conformance.LAWS, *cases.LAWS, *judging.LAWS, *meshes.LAWS),
-        10: (*meshfile.LAWS, *pictures.LAWS),
+        10: (*meshfile.LAWS, *pictures.LAWS, *site.LAWS),
     }
 )
 

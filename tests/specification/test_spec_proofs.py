@@ -9,10 +9,10 @@ from typer.testing import CliRunner
 
 from clers.cli.main import app
 from clers.specification.markdown import page
-from clers.specification.proof_table import ids_in_words
+from clers.specification.proof_table import ids_in_words, ways_in_words
 from clers.specification.proofs import RULES, all_theorems, without_comments
 from clers.specification.repository import read
-from clers.specification.theorems import theorems
+from clers.specification.theorems import Prose, Smt, theorems, ways
 
 NOTE = "proofs_notes/lids.md"
 README = "proofs_notes/README.md"
@@ -123,6 +123,13 @@ def test_comments_of_coq_nest() -> None:
 def test_a_hole_in_a_comment_is_none(tmp_path: Path) -> None:
     """Clause: TOOL-PROOF-4."""
     assert sentences(write(tmp_path, edited((COQ, "(* No", "(* No Axiom")))) == []
+
+
+def test_several_lemmas_of_a_file() -> None:
+    """Clauses: TOOL-PROOF-2, TOOL-PROOF-6."""
+    listed = ways("z3 `smt/a.py: x, y`, `smt/b.py: z`; prose.")
+    assert listed == (Smt("smt/a.py", "x"), Smt("smt/a.py", "y"), Smt("smt/b.py", "z"), Prose())
+    assert ways_in_words(listed) == "z3 `smt/a.py` (2 lemmas); z3 `smt/b.py: z`; prose"
 
 
 def test_ranges() -> None:

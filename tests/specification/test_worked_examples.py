@@ -11,11 +11,10 @@ from typer.testing import CliRunner
 
 import clers
 from clers.cli.main import app
-from clers.complexes.surface import Surface
+from clers.geometry.mesh import Mesh
 from clers.specification.markdown import page
-from clers.specification.worked.rule import KINDS
+from clers.specification.worked.rule import KINDS, made
 from clers.specification.worked.table import Worked, worked
-from clers.specification.worked.walks import named
 
 ROOT = Path(clers.__file__).parents[2]
 PAGES = sorted(file.name for file in (ROOT / "spec").glob("examples-*.md"))
@@ -42,14 +41,14 @@ WALK = """
 """
 
 
-def tables(name: str) -> tuple[dict[str, Surface], list[Worked]]:
-    meshes: dict[str, Surface] = {}
+def tables(name: str) -> tuple[dict[str, Mesh], list[Worked]]:
+    meshes: dict[str, Mesh] = {}
     others: list[Worked] = []
     for table in worked(page(name, (ROOT / "spec" / name).read_text())):
-        if table.kind == "faces":
-            surface = named(table)
-            assert isinstance(surface, Surface)
-            meshes[table.words[0]] = surface
+        if table.kind in ("faces", "positions"):
+            mesh = made(table, meshes)
+            assert isinstance(mesh, Mesh)
+            meshes[table.words[0]] = mesh
         else:
             others.append(table)
     return meshes, others
@@ -93,7 +92,7 @@ def test_the_examples_have_tables_of_every_kind() -> None:
     """Clause: TOOL-PAGE-1."""
     kinds = [table.kind for name in PAGES for table in tables(name)[1]]
     assert set(kinds) == set(KINDS)
-    assert len(PAGES) == 5
+    assert (len(PAGES), len(DRAWN)) == (6, 5)
     assert sum(len(table.rows) for name in PAGES for table in tables(name)[1]) > 400
 
 
@@ -131,10 +130,34 @@ def test_a_faulty_example(text: str, line: int, tmp_path: Path) -> None:
     assert faults == [("worked", PAGE, line, "")]
 
 
+PLACES = "\n<!--: positions triangle -->\n| vertex | x | y | z |\n|---|---|---|---|\n"
+CORNERS = "| 0 | 0 | 0 | 0 |\n| 1 | 1 | 0 | 0 |\n| 2 | 0 | 1 | 0 |\n"
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        CORNERS.replace("| 2 |", "| 3 |"),
+        CORNERS.replace("| 1 | 1 |", "| 1 | one |"),
+        CORNERS.replace("| 1 | 1 |", "| 1 | nan |"),
+        CORNERS + "| 3 | 0 | 0 | 1 |\n",
+    ],
+)
+def test_faulty_positions(rows: str, tmp_path: Path) -> None:
+    """Clause: TOOL-PAGE-1."""
+    good = {**FILES, PAGE: FILES[PAGE] + TRIANGLE + PLACES + CORNERS}
+    assert found(write(tmp_path, good)) == []
+    bad = {**FILES, PAGE: FILES[PAGE] + TRIANGLE + PLACES + rows}
+    assert found(write(tmp_path, bad)) == [("worked", PAGE, 28, "")]
+
+
 COMMAND = re.compile(r"`clers trace (spec/pictures/\w+\.off) (.*?) -o (spec/pictures/\w+\.svg)`")
 
 
-@pytest.mark.parametrize("name", PAGES)
+DRAWN = [name for name in PAGES if "](pictures/" in (ROOT / "spec" / name).read_text()]
+
+
+@pytest.mark.parametrize("name", DRAWN)
 def test_pictures_are_drawn_anew(name: str, tmp_path: Path) -> None:
     """The page's own command draws the committed picture, which the page shows. TOOL-PAGE-2."""
     text = (ROOT / "spec" / name).read_text()
@@ -148,10 +171,10 @@ def test_pictures_are_drawn_anew(name: str, tmp_path: Path) -> None:
     assert drawn.read_text() == (ROOT / picture).read_text()
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", DRAWN)
 def test_pictures_show_the_mesh_of_the_page(name: str) -> None:
     """Clause: TOOL-PAGE-2."""
-    (surface,) = tables(name)[0].values()
+    (surface,) = (mesh.surface for mesh in tables(name)[0].values())
     (mesh,) = {ROOT / match[1] for match in COMMAND.finditer((ROOT / "spec" / name).read_text())}
     _, counts, *rows = mesh.read_text().splitlines()
     assert counts == f"{surface.vertices} {surface.faces} 0"

@@ -26,6 +26,7 @@ from clers.cli import (
     repairs,
     roundtrip,
     schema,
+    site,
     spec,
     vectors,
     walks,
@@ -62,6 +63,7 @@ app.add_typer(corpus.app, name="corpus")
 app.add_typer(generate.app, name="generate")
 app.add_typer(laws.app, name="laws")
 app.add_typer(operators.app, name="operators")
+spec.app.command()(site.site)
 app.add_typer(spec.app, name="spec")
 app.add_typer(vectors.app, name="vectors")
 app.add_typer(complexes.structure_app, name="structure")

@@ -14,11 +14,13 @@ from clers.specification.identity import (
     stated_once,
     well_formed,
 )
+from clers.specification.leave import every_may
 from clers.specification.links import indexed, resolved
 from clers.specification.numbers import as_computed
 from clers.specification.proofs import RULES as PROOFS
 from clers.specification.registry import registered
 from clers.specification.repository import Repository
+from clers.specification.tutorial import every_place
 from clers.specification.values import VALUES
 from clers.specification.worked.rule import as_worked
 
@@ -40,6 +42,8 @@ RULES: Final[tuple[Rule, ...]] = (
     as_shown,
     as_computed(VALUES),
     as_worked,
+    every_may,
+    every_place,
     *PROOFS,
 )
 

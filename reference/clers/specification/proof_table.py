@@ -63,6 +63,18 @@ def row(of: Theorem) -> Row:
     return Row(of.name, of.path, of.line, ways, of.clauses, of.judges, of.assumes)
 
 
+def ways_in_words(ways: tuple[Way, ...]) -> str:
+    """All ways in a few words; several lemmas of one file by their number."""
+    lemmas = Counter(way.file for way in ways if isinstance(way, Smt))
+    said = [
+        f"z3 `{way.file}` ({lemmas[way.file]} lemmas)"
+        if isinstance(way, Smt) and lemmas[way.file] > 1
+        else way_in_words(way)
+        for way in ways
+    ]
+    return "; ".join(dict.fromkeys(said))
+
+
 def kind(way: Way) -> str:
     """The kind of a way, one word."""
     return "z3" if isinstance(way, Smt) else type(way).__name__.lower()
@@ -102,7 +114,7 @@ def table(theorems: tuple[Theorem, ...]) -> str:
     rows = ["| theorem | known by | clauses | laws and tests |", "|---|---|---|---|"]
     for item in theorems:
         name = f"[`{item.name}`]({Path(item.path).name}#{item.anchor})"
-        ways = "; ".join(map(way_in_words, item.ways))
+        ways = ways_in_words(item.ways)
         judges = ", ".join(f"`{judge}`" for judge in item.judges) or "none"
         rows.append(f"| {name} | {ways} | {ids_in_words(item.clauses)} | {judges} |")
     return "\n".join([summary(theorems), "", *rows])

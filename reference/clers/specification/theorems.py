@@ -161,8 +161,8 @@ def _read(path: str, anchor: str, fields: list[Field]) -> Theorem | Malformed:
     title = _CODE.fullmatch(name.text)
     if title is None or not _KEBAB.fullmatch(title[1]):
         return Malformed(path, name.line, f"a theorem's name is `like-this`, not {name.text}")
-    ways = _ways(known.text)
-    if ways is None:
+    found = ways(known.text)
+    if found is None:
         return Malformed(path, known.line, f"is known in no way there is: {known.text}")
     ids = tuple(dict.fromkeys(mention.clause for mention in mentions(clauses.text)))
     if not ids:
@@ -173,7 +173,7 @@ def _read(path: str, anchor: str, fields: list[Field]) -> Theorem | Malformed:
     if judges is None:
         return Malformed(path, laws.line, f"has no laws, and no reason after `none:`: {laws.text}")
     lines = tuple(field.line for field in fields)
-    return Theorem(title[1], path, anchor, lines, ids, ways, judges, assumes.text)
+    return Theorem(title[1], path, anchor, lines, ids, found, judges, assumes.text)
 
 
 def _judges(text: str) -> tuple[str, ...] | None:
@@ -189,7 +189,7 @@ def _listed(text: str) -> list[str]:
     return _CODE.findall(text)
 
 
-def _ways(text: str) -> tuple[Way, ...] | None:
+def ways(text: str) -> tuple[Way, ...] | None:
     """The ways separated by semicolons; None if one of them is none."""
     found: list[Way] = []
     for part in _SEMICOLON.split(text):
@@ -200,7 +200,11 @@ def _ways(text: str) -> tuple[Way, ...] | None:
             found += map(Coq, _listed(way["proofs"]))
         elif way["smt"]:
             pairs = [name.partition(":") for name in _listed(way["lemmas"])]
-            found += (Smt(file.strip(), lemma.strip()) for file, _, lemma in pairs)
+            found += (
+                Smt(file.strip(), lemma.strip())
+                for file, _, listed in pairs
+                for lemma in listed.split(",")
+            )
         elif way["certificate"]:
             found += map(Certificate, _listed(way["files"]))
         elif way["exhaustive"]:

@@ -9,14 +9,14 @@ from clers.codes.registry import CodeName
 from clers.codes.registry import encode as encode_word
 from clers.conventions.result import Accepted
 from clers.edgebreaker.encode import encode
-from clers.specification.worked.table import Fault, Meshes, Worked, compared
+from clers.specification.worked.table import NONE, Fault, Meshes, Worked, compared
 
 CODE_NAMES: Final = frozenset(CodeName)
 
 
 def closings(table: Worked, meshes: Meshes) -> Iterator[Fault]:
     """The handle data from the end. Clause: CODE-HAND-1."""
-    match closings_of(encode(meshes[table.words[0]]).stream):
+    match closings_of(encode(meshes[table.words[0]].surface).stream):
         case Accepted(found):
             rows = [
                 {
@@ -41,7 +41,7 @@ def codewords(table: Worked, meshes: Meshes) -> Iterator[Fault]:
     if name not in CODE_NAMES:
         yield table.line, f"there is no code {name!r}"
         return
-    stream = encode(meshes[table.words[0]]).stream
+    stream = encode(meshes[table.words[0]].surface).stream
     match encode_word(CodeName(name), stream), coded_part(stream):
         case Accepted(bits), Accepted(word):
             written = "".join(table.column("bits"))
@@ -52,3 +52,18 @@ def codewords(table: Worked, meshes: Meshes) -> Iterator[Fault]:
                 yield table.line, f"the coded symbols are {word}, the column has {symbols}"
         case refused:
             yield table.line, f"{name} refuses this word: {refused}"
+
+
+def every_code(table: Worked, meshes: Meshes) -> Iterator[Fault]:
+    """The word in every code, or why not. Clauses: CODE-NAME-1, CODE-NAME-5."""
+    stream = encode(meshes[table.words[0]].surface).stream
+    rows: list[dict[str, str]] = []
+    for name in CodeName:
+        match encode_word(name, stream):
+            case Accepted(bits):
+                rows.append(
+                    {"code": name, "bits": bits.digits() or NONE, "length": str(bits.length)}
+                )
+            case refused:
+                rows.append({"code": name, "bits": refused.reason, "length": NONE})
+    yield from compared(table, rows)

@@ -12,7 +12,11 @@ from clers.codes.implied import NUMBER, coded_part, implied
 from clers.conventions.result import Accepted
 from clers.edgebreaker.encode import encode
 from clers.edgebreaker.stream import Stream
+from clers.geometry import residual
+from clers.geometry.mesh import Mesh
+from clers.geometry.predict import residuals
 from clers.information.model import Model, Slot, slots
+from clers.specification.worked.places import on_lattice
 from clers.specification.worked.table import NONE, Fault, Meshes, Worked, compared
 
 
@@ -26,15 +30,20 @@ class Message:
 
 
 def _message(table: Worked, meshes: Meshes) -> Message | str:
-    """The word in `golden`, or the handle data. Clauses: CODE-GOLDEN-2, CODE-HAND-4."""
-    stream = encode(meshes[table.words[0]]).stream
+    """The word in `golden`, the handle data, or positions in some bits.
+
+    Clauses: CODE-GOLDEN-2, CODE-HAND-4, GEOM-CODE-3.
+    """
+    mesh = meshes[table.words[0]]
     match table.words[1:]:
         case ("golden",):
-            return _word(stream)
+            return _word(encode(mesh.surface).stream)
         case ("HAND",):
-            return _hand(stream)
+            return _hand(encode(mesh.surface).stream)
+        case ("POSN", bits):
+            return _positions(mesh, bits)
         case others:
-            return f"tables of the coder are of golden or HAND, not {' '.join(others)!r}"
+            return f"the coder's tables are of golden, HAND or POSN, not {' '.join(others)!r}"
 
 
 def _word(stream: Stream) -> Message | str:
@@ -51,6 +60,15 @@ def _hand(stream: Stream) -> Message | str:
         return seen.line()
     model, symbols = handle_data.message(seen.value, len(stream.word))
     return Message(model, symbols, tuple(map(str, symbols)))
+
+
+def _positions(mesh: Mesh, bits: str) -> Message | str:
+    stored = on_lattice(mesh, bits)
+    if isinstance(stored, str):
+        return stored
+    of, given = stored
+    symbols = tuple(residual.symbols(residuals(of, given.box, given.indices)))
+    return Message(residual.model(of, given.box), symbols, tuple(map(str, symbols)))
 
 
 def _slots(of: Message) -> tuple[Slot, ...] | str:

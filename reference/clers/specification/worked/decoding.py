@@ -24,7 +24,7 @@ def _loops(loops: Sequence[Loop]) -> str:
 
 
 def _outline(table: Worked, meshes: Meshes) -> Outline:
-    return outlined(encode(meshes[table.words[0]]).stream)
+    return outlined(encode(meshes[table.words[0]].surface).stream)
 
 
 def _symbol(outline: Outline, place: int, elsewhere: str) -> dict[str, str]:

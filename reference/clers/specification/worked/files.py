@@ -4,19 +4,25 @@ from collections.abc import Iterator
 
 from clers.codes.registry import CodeName
 from clers.container.file import encode
-from clers.container.options import Options
+from clers.container.options import Exact, InBits, Options
 from clers.conventions.result import Accepted
 from clers.specification.worked.bits import CODE_NAMES
 from clers.specification.worked.table import Fault, Meshes, Worked
 
 
 def file(table: Worked, meshes: Meshes) -> Iterator[Fault]:
-    """The file of a mesh without positions in a code. Clauses: FILE-LAYOUT-4, FILE-SECTION-1."""
-    name = table.words[1] if len(table.words) > 1 else ""
-    if name not in CODE_NAMES:
-        yield table.line, f"there is no code {name!r}"
+    """The file of a mesh in a code, with positions if their bits are said.
+
+    Clauses: FILE-LAYOUT-4, FILE-SECTION-1, FILE-POSN-2.
+    """
+    name, *bits = table.words[1:] or ("",)
+    if name not in CODE_NAMES or not all(word.isdecimal() for word in bits):
+        yield table.line, f"a file needs a code, then perhaps a number of bits, not {name!r}"
         return
-    made = encode(meshes[table.words[0]], None, Options(CodeName(name)))
+    mesh = meshes[table.words[0]]
+    accuracy = InBits(int(bits[0])) if bits else Exact()
+    positions = mesh.positions if bits else None
+    made = encode(mesh.surface, positions, Options(CodeName(name), accuracy))
     if not isinstance(made, Accepted):
         yield table.line, made.line()
         return

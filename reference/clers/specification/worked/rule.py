@@ -4,11 +4,11 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Final
 
-from clers.complexes.surface import Surface
+from clers.geometry.mesh import Mesh
 from clers.specification.finding import Finding
 from clers.specification.markdown import Page
 from clers.specification.repository import Repository
-from clers.specification.worked import bits, coder, decoding, files, walks
+from clers.specification.worked import bits, coder, decoding, files, places, walks
 from clers.specification.worked.table import Fault, Kind, Worked, worked
 
 KINDS: Final[Mapping[str, Kind]] = MappingProxyType(
@@ -22,12 +22,14 @@ KINDS: Final[Mapping[str, Kind]] = MappingProxyType(
         "stars": decoding.closed_stars,
         "closings": bits.closings,
         "codewords": bits.codewords,
+        "codes": bits.every_code,
         "coder": coder.steps,
         "decoder": coder.back,
+        "lattice": places.lattice,
         "file": files.file,
     }
 )
-"""What each kind of table demands; `faces` alone demands nothing and names a mesh."""
+"""What each kind of table demands; `faces` and `positions` demand nothing and make a mesh."""
 
 
 def as_worked(of: Repository) -> Iterator[Finding]:
@@ -38,25 +40,28 @@ def as_worked(of: Repository) -> Iterator[Finding]:
 
 
 def _faults(page: Page) -> Iterator[Fault]:
-    meshes: dict[str, Surface] = {}
+    meshes: dict[str, Mesh] = {}
     for table in worked(page):
         if not table.rows:
             yield table.line, f"no table of the kind {table.kind!r} stands here"
         elif not table.words:
             yield table.line, "which mesh the table is about is not said"
-        elif table.kind == "faces":
-            read = walks.named(table)
-            if isinstance(read, str):
-                yield table.line, read
-            else:
-                meshes[table.words[0]] = read
-        elif table.kind not in KINDS:
-            yield table.line, f"there is no kind of table {table.kind!r}"
-        elif table.words[0] not in meshes:
+        elif table.kind != "faces" and table.words[0] not in meshes:
             yield table.line, f"no table of faces above names {table.words[0]!r}"
+        elif table.kind in ("faces", "positions"):
+            read = made(table, meshes)
+            if isinstance(read, Mesh):
+                meshes[table.words[0]] = read
+            else:
+                yield table.line, read
+        elif table.kind in KINDS:
+            yield from KINDS[table.kind](table, meshes)
         else:
-            yield from _checked(table, meshes)
+            yield table.line, f"there is no kind of table {table.kind!r}"
 
 
-def _checked(table: Worked, meshes: Mapping[str, Surface]) -> Iterator[Fault]:
-    yield from KINDS[table.kind](table, meshes)
+def made(table: Worked, meshes: Mapping[str, Mesh]) -> Mesh | str:
+    """The mesh of a table of faces, or a mesh with positions; or what is wrong. TOOL-PAGE-1."""
+    if table.kind == "positions":
+        return places.placed(table, meshes[table.words[0]])
+    return walks.named(table)

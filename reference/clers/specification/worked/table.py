@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from clers.complexes.surface import Surface
+from clers.geometry.mesh import Mesh
 from clers.specification.markdown import Page
 
 _OPENING: Final = re.compile(r"<!--:\s*(.*?)\s*-->")
@@ -34,7 +34,9 @@ class Worked:
         return tuple(row.get(name, "") for _, row in self.rows)
 
 
-Meshes = Mapping[str, Surface]
+Meshes = Mapping[str, Mesh]
+"""The meshes that a page has named so far."""
+
 Fault = tuple[int, str]
 """The line, and what is wrong there."""
 

@@ -16,11 +16,12 @@ from clers.edgebreaker.encode import encode
 from clers.edgebreaker.given import outlined
 from clers.edgebreaker.stream import Encoding
 from clers.edgebreaker.trace import Entry, trace
+from clers.geometry.mesh import Mesh
 from clers.specification.worked.table import NONE, Fault, Meshes, Worked, compared, listed
 
 
-def named(table: Worked) -> Surface | str:
-    """The surface of a table of faces, or what is wrong with it."""
+def named(table: Worked) -> Mesh | str:
+    """The mesh of a table of faces, or what is wrong with it."""
     try:
         faces = [tuple(map(int, cell.split())) for cell in table.column("vertices")]
     except ValueError:
@@ -33,14 +34,14 @@ def named(table: Worked) -> Surface | str:
     count = 1 + max((max(face) for face in triples), default=-1)
     match surface(FaceList(tuple(triples), count)):
         case Accepted(value):
-            return value
+            return Mesh(value)
         case rejected:
             return rejected.line()
 
 
 def corners(table: Worked, meshes: Meshes) -> Iterator[Fault]:
     """The corner table. Clauses: CPLX-CORNER-1, CPLX-CORNER-2."""
-    of = meshes[table.words[0]]
+    of = meshes[table.words[0]].surface
     yield from compared(
         table,
         [
@@ -57,7 +58,7 @@ def corners(table: Worked, meshes: Meshes) -> Iterator[Fault]:
 
 def walk(table: Worked, meshes: Meshes) -> Iterator[Fault]:
     """The walk, face by face. Clauses: EB-TRACE-1, EB-GATE-2."""
-    of = meshes[table.words[0]]
+    of = meshes[table.words[0]].surface
     encoding = encode(of)
     entries = trace(of, encoding, outlined(encoding.stream))
     rows = (_row(of, encoding, made, entry) for made, entry in enumerate(entries))
@@ -91,7 +92,7 @@ def _row(of: Surface, encoding: Encoding, made: int, entry: Entry) -> dict[str, 
 
 def records(table: Worked, meshes: Meshes) -> Iterator[Fault]:
     """The handle data. Clauses: EB-HANDLE-1 … EB-HANDLE-5."""
-    found = encode(meshes[table.words[0]]).stream.records
+    found = encode(meshes[table.words[0]].surface).stream.records
     rows = [
         {"record": str(k), "kind": r.kind.value, "s": str(r.s), "at": str(r.at), "side": r.side}
         for k, r in enumerate(found)
@@ -101,7 +102,7 @@ def records(table: Worked, meshes: Meshes) -> Iterator[Fault]:
 
 def created(table: Worked, meshes: Meshes) -> Iterator[Fault]:
     """Faces and vertices in the order of creation. Clauses: EB-ORDER-1, EB-ORDER-3."""
-    of = meshes[table.words[0]]
+    of = meshes[table.words[0]].surface
     encoding = encode(of)
     number = {v: k for k, v in enumerate(encoding.vertex_order)}
     rows: list[dict[str, str]] = []
