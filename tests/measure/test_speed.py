@@ -258,8 +258,8 @@ def test_families_are_what_they_are_called(faces: int) -> None:
 
 def test_sizes_and_spheres() -> None:
     """TOOL-SPEED-1, TOOL-SPEED-5: tenths, and never too small to be made."""
-    assert sizes(1_000_000) == (10_000, 100_000, 1_000_000)
-    assert sizes(2000) == (100, 200, 2000)
+    assert sizes(4_000_000) == (10_000, 100_000, 1_000_000, 4_000_000)
+    assert sizes(2000) == (100, 100, 500, 2000)
     found = list(spheres(2001))
     assert [(each.name, each.surface.faces) for each in found] == [
         ("sphere-200", 200), ("sphere-2000", 2000),

@@ -29,7 +29,7 @@ def surface(given: FaceList, limits: Limits = DEFAULT_LIMITS) -> Accepted[Surfac
     if fault is not None:
         return fault
     tips = list(chain.from_iterable(given.faces))
-    if min(tips) >= 0 and max(tips) < given.vertices:
+    if min(tips) >= 0 and max(tips) < given.vertices <= len(tips):  # so that all fit an array
         found = _by_kernels(vec[i64](tips), given.vertices)
         if found is not None:
             return Accepted(found)
@@ -44,11 +44,9 @@ def surface_of_indices(
     Clauses: CPLX-INPUT-5, CPLX-INPUT-6.
     """
     if 0 < given.faces <= limits.faces and given.vertices <= limits.vertices:
-        vertex = given.flat()
-        if table.in_range(vertex, given.vertices):
-            found = _by_kernels(vertex, given.vertices)
-            if found is not None:
-                return Accepted(found)
+        found = _by_kernels(given.flat(), given.vertices)
+        if found is not None:
+            return Accepted(found)
     return surface(listed_faces(given), limits)
 
 
@@ -64,7 +62,7 @@ def of_corners(vertex: vec[i64], vertices: int) -> Accepted[Surface] | Rejected:
 
 def _by_kernels(vertex: vec[i64], vertices: int) -> Surface | None:
     """The surface, if there is nothing wrong. Linear."""
-    if vertices > len(vertex) or len(vertex) > table.MOST or not table.distinct(vertex):
+    if not 0 < vertices <= len(vertex) <= table.MOST or not table.fit(vertex, vertices):
         return None
     opposite = table.opposites(vertex, vertices)
     if len(opposite) > 0 and table.one_fan_each(vertex, opposite, vertices):

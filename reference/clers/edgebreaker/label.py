@@ -39,7 +39,9 @@ def labelled(scan: Scan, opposite: vec[i64]) -> Accepted[Surface] | Rejected:
     """
     naming = named(scan, opposite)
     found = corners_flat(naming.vertex, opposite, naming.count)
-    if table.distinct(naming.vertex) and table.simple(naming.vertex, opposite, naming.count):
+    if table.fit(naming.vertex, naming.count) and table.simple(
+        naming.vertex, opposite, naming.count
+    ):
         return Accepted(found)
     return _simplicial(scan, found)
 

@@ -31,15 +31,22 @@ def indices(buffer: bytes) -> vec[i64]:
     return found[:count]
 
 
-def in_range(vertex: vec[i64], vertices: i64) -> bool:
-    """Whether all are from 0 to `vertices` - 1. Clause: CPLX-REJECT-3."""
+def fit(vertex: vec[i64], vertices: i64) -> bool:
+    """Whether each face has three vertices, from 0 to `vertices` - 1. Linear.
+
+    Clauses: CPLX-REJECT-3, CPLX-REJECT-4.
+    """
     corners: i64 = len(vertex)
     c: i64 = 0
     while c < corners:
-        v: i64 = vertex[c]
-        if v < 0 or v >= vertices:
+        x: i64 = vertex[c]
+        y: i64 = vertex[c + 1]
+        z: i64 = vertex[c + 2]
+        if x < 0 or y < 0 or z < 0 or x >= vertices or y >= vertices or z >= vertices:
             return False
-        c += 1
+        if x == y or y == z or z == x:
+            return False
+        c += 3
     return True
 
 
@@ -209,18 +216,4 @@ def simple(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
                         break
                     d = o - 1 if o % 3 else o + 2
         c += 1
-    return True
-
-
-def distinct(vertex: vec[i64]) -> bool:
-    """Whether no face has a vertex twice. Clause: CPLX-REJECT-4."""
-    corners: i64 = len(vertex)
-    c: i64 = 0
-    while c < corners:
-        x: i64 = vertex[c]
-        y: i64 = vertex[c + 1]
-        z: i64 = vertex[c + 2]
-        if x == y or y == z or z == x:
-            return False
-        c += 3
     return True

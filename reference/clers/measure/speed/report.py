@@ -91,13 +91,13 @@ class Speed:
 
 
 def sizes(faces: int) -> tuple[int, ...]:
-    """The greatest size, and a tenth and a hundredth of it. Clause: TOOL-SPEED-5."""
-    return tuple(max(faces // part, LEAST) for part in (100, 10, 1))
+    """The greatest size and its parts, so that four million begin at ten thousand. TOOL-SPEED-5."""
+    return tuple(max(faces // part, LEAST) for part in (400, 40, 4, 1))
 
 
 def spheres(faces: int) -> Iterable[Given]:
     """The two larger sizes of irregular spheres. Clause: TOOL-SPEED-1."""
-    for size in sizes(faces)[1:]:
+    for size in (max(faces // 10, LEAST), faces):
         mesh = irregular_sphere(size - size % 2, SEED)
         yield given(f"sphere-{len(mesh.faces)}", must(surface(mesh)))
 
@@ -105,7 +105,7 @@ def spheres(faces: int) -> Iterable[Given]:
 def steps_of(meshes: int, rounds: int) -> int:
     """How often `measure` calls its `step`."""
     coded = len(CONTENDERS) * rounds + len(CODES)
-    return meshes * coded + 3 * len(FAMILIES) * len(CODES) * rounds
+    return meshes * coded + len(sizes(1)) * len(FAMILIES) * len(CODES) * rounds
 
 
 def measure(meshes: Iterable[Given], faces: int, rounds: int, step: Callable[[str], None]) -> Speed:
