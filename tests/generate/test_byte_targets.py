@@ -4,6 +4,8 @@ from random import Random
 
 import pytest
 
+from clers.arithmetic.bits import Bits, pack
+from clers.conventions.result import Accepted
 from clers.generate.byte_targets import TARGETS
 from clers.generate.guided import line
 
@@ -24,6 +26,18 @@ def test_nothing_is_wrong(name: str) -> None:
     inputs = [b"", *seeds, *(spoilt(random.choice(seeds), random) for _ in range(60))]
     inputs += [random.randbytes(random.randrange(40)) for _ in range(60)]
     assert [data for data in inputs if target.tried(data) is not None] == []
+
+
+def test_what_is_written_otherwise_is_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Clause: CONV-RESULT-1."""
+
+    def other(*_: object) -> Accepted[Bits]:
+        return Accepted(pack([1]))
+
+    monkeypatch.setattr("clers.codes.handle_data.encode", other)
+    tried, random = TARGETS["handles"].tried, Random(1)
+    inputs = (bytes([random.randrange(2), 16]) + random.randbytes(3) for _ in range(400))
+    assert any(tried(data) is not None for data in inputs)
 
 
 def test_the_figures_of_a_run() -> None:

@@ -5,6 +5,7 @@ from itertools import combinations_with_replacement, product
 from clers.conventions.verdict import Holds
 from clers.information.given_codes import Few
 from clers.information.given_counting import Ranked
+from clers.information.given_learning import Counted
 from clers.laws import ALL
 
 LAWS = {law.name: law for law in ALL}
@@ -37,3 +38,16 @@ def test_huffman_on_all_small_tables() -> None:
     ]
     for name in ("huffman-is-optimal", "huffman-loses-less-than-a-bit"):
         assert [table for table in tables if LAWS[name].check(table) != Holds()] == []
+
+
+def test_learning_on_all_short_messages() -> None:
+    """The order of symbols is no matter. Clauses: INFO-LEARN-2, INFO-LEARN-3, INFO-LEARN-4."""
+    messages = [
+        Counted(size, word)
+        for size in range(1, 6)
+        for length in range(10)
+        for word in combinations_with_replacement(range(size), length)
+    ]
+    assert len(messages) > 1000
+    for name in ("add-half-loses-little", "adding-one-counts-rearrangements"):
+        assert [message for message in messages if LAWS[name].check(message) != Holds()] == []
