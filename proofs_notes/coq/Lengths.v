@@ -5,7 +5,7 @@
     surface of genus g: [Counting] gives the counts. *)
 
 Require Import ZArith List Lia.
-From Clers Require Import Letters Surface Walk Counting Bound Golden.
+From Clers Require Import Letters Surface Edges Walk Walks Counting Bound Golden.
 Import ListNotations.
 Open Scope Z_scope.
 

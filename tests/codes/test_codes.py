@@ -1,5 +1,6 @@
 """Codes of words: every law, and lengths and bits worked out by hand."""
 
+from itertools import product
 from math import log2, sqrt
 
 import pytest
@@ -8,7 +9,7 @@ from clers.codes import golden, plain
 from clers.codes.laws import LAWS
 from clers.codes.registry import PARTIAL, CodeName, decode, encode, most_symbols
 from clers.conventions.law import AnyLaw
-from clers.conventions.reason import Reason
+from clers.conventions.reason import Fault, Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtSymbol
 from clers.edgebreaker.encode import encode as encode_surface
@@ -62,6 +63,36 @@ def test_a_closed_word_must_begin_with_c() -> None:
         none = decode(code, bits.value, 0, 0)
         assert isinstance(none, Rejected)
         assert none.reason is Reason.EMPTY_WORD
+
+
+def test_which_words_each_code_refuses() -> None:
+    """CODE-NAME-6: all words of at most three symbols, with boundary and without."""
+    words = ["".join(word) for n in range(1, 4) for word in product("CLERS", repeat=n)]
+    for boundary, word in product((0, 1), words):
+        coded = {
+            code
+            for code in CodeName
+            if isinstance(encode(code, Stream(word, (), boundary)), Accepted)
+        }
+        if not boundary and word[0] != "C":
+            assert not coded
+            continue
+        assert coded >= {CodeName.PLAIN, CodeName.HUFFMAN, CodeName.BEST}
+        partial = {CodeName.KING_ROSSIGNAC, CodeName.GOLDEN, CodeName.ADAPTIVE_1}
+        assert coded & partial == (set() if "CL" in word or "CE" in word else partial), word
+        assert (CodeName.ENUMERATIVE in coded) == (word == "CRE" and not boundary)
+
+
+def test_every_code_refuses_a_stranger() -> None:
+    """CODE-NAME-6."""
+    for code in CodeName:
+        refused = encode(code, Stream("CRXE"))
+        assert isinstance(refused, Rejected)
+        expected = (Reason.NOT_IN_ALPHABET, AtSymbol(1))
+        if code is CodeName.ENUMERATIVE:
+            expected = (Reason.UNKNOWN_SYMBOL, AtSymbol(2))
+        assert (refused.reason, refused.where) == expected
+        assert refused.fault is Fault.INVALID
 
 
 def test_the_golden_tables_are_fibonacci_numbers() -> None:

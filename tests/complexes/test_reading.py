@@ -176,7 +176,10 @@ def test_good_meshes_are_accepted(given: FaceList) -> None:
 
 
 def test_faults_are_reported_in_the_order_of_their_clauses() -> None:
-    """Clause: CONV-RESULT-5. From step to step a fault is added that goes before those so far."""
+    """From step to step a fault is added that goes before those so far.
+
+    Clauses: CONV-RESULT-5, CPLX-INPUT-2.
+    """
     steps: tuple[tuple[Reason, tuple[tuple[int, int, int], ...]], ...] = (
         (Reason.ISOLATED_VERTEX, ((0, 1, 2), (0, 2, 3))),
         (Reason.PINCHED_VERTEX, ((4, 5, 6), (4, 7, 8))),

@@ -16,7 +16,7 @@ from clers.conformance.messages import Bye, OkReply, Reply
 from clers.conformance.numbers import from_wire, to_wire
 from clers.conformance.results import RESULTS
 from clers.conformance.samples import GARBAGE, SAMPLES
-from clers.conformance.session import HELLO, asked
+from clers.conformance.session import asked, hello
 
 FILE: Final = Path(__file__).parents[2] / "spec" / "schemas" / "protocol.schema.json"
 SCHEMA: Final[Mapping[str, object]] = json.loads(FILE.read_text())
@@ -44,11 +44,14 @@ def test_the_schema_is_the_one_published() -> None:
 
 def test_hello_keeps_to_the_schema() -> None:
     """Clauses: ORCL-LINE-3, ORCL-HELLO-1, ORCL-HELLO-2."""
-    request = json.loads(HELLO.line)
+    request = json.loads(hello("abcdefghijkl").line)
+    assert request.pop("suite") == "abcdefghijkl"
+    assert {**request, "suite": ""} == json.loads(hello().line)
+    request = json.loads(hello().line)
     assert request == {"op": "hello", "id": 0, "protocol": 1, "spec": "0.1", "suite": ""}
     assert holds(part("hello", "request"), request)
     assert holds({"$ref": "#/$defs/Request"}, request)
-    (reply,) = (json.loads(line_of(r)) for r in said(HELLO.line))
+    (reply,) = (json.loads(line_of(r)) for r in said(hello().line))
     assert holds({"$ref": "#/$defs/Reply"}, reply)
     assert holds(part("hello", "ok"), reply["ok"])
     assert holds({"$ref": "#/$defs/Request"}, {"op": "bye"})

@@ -359,6 +359,14 @@ def test_every_line_is_answered(noise: bytes, name: str, keep: int) -> None:
         assert isinstance(found, Bye) or len(found) == 1
 
 
+@pytest.mark.parametrize("line", [b'{"op":"\xb2","id":1}', b'{"id":"\xb2"}', b'{"op":1,"id":"1"}'])
+def test_text_that_is_no_utf8_is_answered(line: bytes) -> None:
+    """Clauses: ORCL-REPLY-1, ORCL-REPLY-4."""
+    found = answered(line)
+    assert not isinstance(found, Bye)
+    assert [type(reply).__name__ for reply in found] == ["ErrorReply"]
+
+
 def test_the_loop() -> None:
     """Clauses: ORCL-LINE-1, ORCL-LINE-2, ORCL-BYE-1: nothing is read after bye."""
     echo = b'{"op":"echo","id":1,"in":{"a":1}}\n'

@@ -306,6 +306,22 @@ TWICE_WRONG = {
         ),
         Clause.FILE_COUNT_3,
     ),
+    "exponent-then-bits": (
+        file(
+            ("HEAD", "01 04 04 04 00 03 00"),
+            ("WORD", WORD),
+            ("POSN", "98 0f 00 00 00 00 00 00 09 40 00"),
+        ),
+        Clause.GEOM_LATTICE_1,
+    ),
+    "bits-then-indices": (
+        file(
+            ("HEAD", "01 04 04 04 00 03 00"),
+            ("WORD", WORD),
+            ("POSN", "00 00 00 00 01 00 00 02 40"),
+        ),
+        Clause.ARITH_STRICT_2,
+    ),
 }
 
 

@@ -224,7 +224,9 @@ def test_what_verify_finds(tmp_path: Path) -> None:
     assert entry.sha256 in changed.detail
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", '{"about": "x", "licences": {}}'])
+@pytest.mark.parametrize(
+    "text", ["", "{", "[]", '{"about": "x", "licences": {}}', '{"x":' + "[" * 100_000]
+)
 def test_what_is_no_manifest(text: str, tmp_path: Path) -> None:
     """Clauses: TOOL-CORPUS-1, TOOL-READ-5."""
     path = tmp_path / "manifest.json"

@@ -110,10 +110,36 @@ def test_each_fault_has_its_clause(
     assert isinstance(FOLD.decode(stream), Rejected)
 
 
+TWICE: list[tuple[str, tuple[Record, ...], int, Clause, Where]] = [
+    ("SXE", (Record(H, 5, 0, R),), 0, Clause.EB_GRAMMAR_1, AtSymbol(1)),
+    ("SSE", (Record(H, 5, 0, R), Record(H, 1, 0, R)), 0, Clause.EB_GRAMMAR_2, AtRecord(1)),
+    ("SER", (Record(H, 5, 9, R),), 0, Clause.EB_GRAMMAR_2, AtRecord(0)),
+    ("SER", (Record(H, 0, 9, R),), 0, Clause.EB_GRAMMAR_3, AtSymbol(2)),
+    ("SLE", (Record(H, 0, 9, R),), 0, Clause.EB_GRAMMAR_4, AtRecord(0)),
+    ("CE", (), 0, Clause.EB_GRAMMAR_5, AtSymbol(0)),
+    ("LECE", (), 0, Clause.EB_GRAMMAR_5, AtSymbol(2)),
+    ("CELE", (), 0, Clause.EB_GRAMMAR_8, AtSymbol(2)),
+    ("LEE", (), 0, Clause.EB_GRAMMAR_8, AtSymbol(0)),
+]
+"""Streams with two faults, and the one that is to be reported."""
+
+
+@pytest.mark.parametrize(("word", "records", "boundary", "clause", "where"), TWICE)
+def test_the_first_of_two_faults_is_reported(
+    word: str, records: tuple[Record, ...], boundary: int, clause: Clause, where: Where
+) -> None:
+    """EB-GRAMMAR-11, CONV-RESULT-5. The last E of LEE has a double edge, found later."""
+    got = decode(Stream(word, records, boundary))
+    assert isinstance(got, Rejected)
+    assert (got.clause, got.where) == (clause, where)
+
+
 def test_every_clause_of_the_grammar_has_a_case() -> None:
     """EB-GRAMMAR-1 … EB-GRAMMAR-9."""
     assert {case[4] for case in CASES} == {
-        clause for clause in Clause if clause.startswith("EB-GRAMMAR") and clause[-2:] != "10"
+        clause
+        for clause in Clause
+        if clause.startswith("EB-GRAMMAR") and clause[-2:] not in ("10", "11")
     }
 
 

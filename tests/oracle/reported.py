@@ -97,7 +97,6 @@ def report(rulings: tuple[Ruling, ...] = RULINGS, unfinished: str = "") -> Repor
     """The run as a value."""
     return Report(
         suite="abcdefgh",
-        suite_version="",
         specification="0.1",
         adapter=SAID,
         command=COMMAND,

@@ -45,7 +45,6 @@ def ruling(case: Case, status: Status, profile: str = "core", **more: str) -> Ru
 def report(*rulings: Ruling, command: tuple[str, ...] = ("./mine", "--fast")) -> Report:
     return Report(
         suite="abcabcabcabc",
-        suite_version="",
         specification="1.0",
         adapter=INTRODUCTION,
         command=command,

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -13,6 +14,7 @@ from small_suite import (
     ECHOES,
     HEART,
     PATIENT,
+    TESTS,
     WORDS,
     adapter,
     bad_adapter,
@@ -30,7 +32,7 @@ from clers.oracle.runs.baseline import Expected, Known
 from clers.oracle.runs.events import Came, Event, Gap, Sang, Stopped
 from clers.oracle.runs.minutes import Ending, Minutes
 from clers.oracle.runs.pieces import Adapter, Piece, Result, ask_piece, meet, pieces
-from clers.oracle.runs.run import HERE, Plan, ask_all, run
+from clers.oracle.runs.run import HERE, Plan, run
 from clers.oracle.runs.selection import Chosen, Selected
 
 ALL = (*ECHOES, *WORDS, *CODED)
@@ -107,6 +109,26 @@ def test_reasons_are_judged_if_wanted() -> None:
     )
 
 
+NAMED = """
+import sys; sys.path.insert(0, sys.argv[1])
+from good import HELLO, reply, requests, say
+for request in requests():
+    HELLO["policy"] = {"suite": request.get("suite", HELLO.get("policy", {}).get("suite"))}
+    say(reply(request))
+"""
+
+
+def test_the_suite_is_named() -> None:
+    """ORCL-HELLO-1: to who is met, and to each that is asked, who else said hello otherwise."""
+    command = (sys.executable, "-c", NAMED, str(TESTS.parent / "conformance" / "bad_adapters"))
+    who = meet(command, PATIENT, suite="abcdefghijkl")
+    assert isinstance(who, Adapter)
+    assert who.introduction.policy == {"suite": "abcdefghijkl"}
+    (same,) = ask_piece(Piece(who, ECHOES[:1]))
+    (other,) = ask_piece(Piece(replace(who, suite=""), ECHOES[:1]))
+    assert (same.judged.status, other.judged.status) == (Status.PASS, Status.ERROR)
+
+
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pieces of ten."""
@@ -130,10 +152,9 @@ def test_the_same_whatever_the_workers(place: Place) -> None:
 
 def test_only_the_verdicts() -> None:
     """Clauses: ORCL-CHECK-1, ORCL-CHECK-6."""
-    judged = list(ask_all(ECHOES, adapter(bad_adapter("good")), ALONE))
-    assert [(each.id, each.status) for each in judged] == [
-        (case.id, Status.PASS) for case in ECHOES
-    ]
+    events = run(Plan(adapter(bad_adapter("good")), ALONE), ECHOES)
+    came = [event.raw for event in events if isinstance(event, Came)]
+    assert [(each.id, each.status) for each in came] == [(case.id, Status.PASS) for case in ECHOES]
 
 
 @pytest.mark.usefixtures("short")

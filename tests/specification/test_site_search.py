@@ -11,9 +11,9 @@ import pytest
 from clers.site.entries import Entry, Kind, entries_of, script
 
 ENTRIES: Final = (
-    Entry(Kind.CLAUSE, "EB-WORD-1", "Chapter 5", "e#1", "A word is a string over C, L, E, R, S."),
-    Entry(Kind.CLAUSE, "EB-WORD-10", "Chapter 5", "e#10", "Café, “quoted”\u2028and more."),
-    Entry(Kind.CLAUSE, "CODE-NAME-1", "Chapter 6", "c#1", "The names; see EB-WORD-1 for a word."),
+    Entry(Kind.CLAUSE, "TOY-WORD-1", "Chapter 5", "e#1", "A word is a string over C, L, E, R, S."),
+    Entry(Kind.CLAUSE, "TOY-WORD-10", "Chapter 5", "e#10", "Café, “quoted”\u2028and more."),
+    Entry(Kind.CLAUSE, "BOX-NAME-1", "Chapter 6", "c#1", "The names; see TOY-WORD-1 for a word."),
     Entry(Kind.LAW, "word-by-definition", "All laws", "l#w", "Encoding gives the string."),
     Entry(Kind.SECTION, "5.2 Words and streams", "Chapter 5", "e#s", "What a stream is."),
     Entry(Kind.SECTION, "Golden", "Chapter 6", "c#g", "Swords cost two bits; a word, too."),
@@ -44,24 +44,24 @@ def ask(*questions: str) -> list[list[tuple[str, str]]]:
 
 
 QUESTIONS: Final[tuple[tuple[str, list[str]], ...]] = (
-    ("EB-WORD-1", ["EB-WORD-1", "EB-WORD-10", "CODE-NAME-1"]),
-    ("eb-word-10", ["EB-WORD-10"]),
-    ("eb-w", ["EB-WORD-1", "EB-WORD-10", "CODE-NAME-1"]),
-    ("  eb WORD ", ["EB-WORD-1", "EB-WORD-10", "CODE-NAME-1"]),
+    ("TOY-WORD-1", ["TOY-WORD-1", "TOY-WORD-10", "BOX-NAME-1"]),
+    ("toy-word-10", ["TOY-WORD-10"]),
+    ("toy-w", ["TOY-WORD-1", "TOY-WORD-10", "BOX-NAME-1"]),
+    ("  toy WORD ", ["TOY-WORD-1", "TOY-WORD-10", "BOX-NAME-1"]),
     (
         "word",
         [
-            *("EB-WORD-1", "EB-WORD-10", "CODE-NAME-1"),
+            *("TOY-WORD-1", "TOY-WORD-10", "BOX-NAME-1"),
             *("word-by-definition", "5.2 Words and streams", "Golden"),
         ],
     ),
     ("golden", ["Golden"]),
-    ("string", ["EB-WORD-1", "word-by-definition"]),
-    ("str wor", ["EB-WORD-1", "word-by-definition", "5.2 Words and streams"]),
+    ("string", ["TOY-WORD-1", "word-by-definition"]),
+    ("str wor", ["TOY-WORD-1", "word-by-definition", "5.2 Words and streams"]),
     ("tring", []),
-    ("cafe", ["EB-WORD-10"]),
-    ("CAFÉ", ["EB-WORD-10"]),
-    ("quoted more", ["EB-WORD-10"]),
+    ("cafe", ["TOY-WORD-10"]),
+    ("CAFÉ", ["TOY-WORD-10"]),
+    ("quoted more", ["TOY-WORD-10"]),
     ("string golden", []),
     ("", []),
     (" – ", []),

@@ -1,14 +1,17 @@
 """The page about the tutorial: no place is passed over, none is made up."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from toy_repository import FILES, found, write
 
 import clers
+from clers.specification.clause_text import ClauseText
 from clers.specification.markdown import page
 from clers.specification.places import PLACES
-from clers.specification.tutorial import rows
+from clers.specification.repository import read
+from clers.specification.tutorial import every_place, rows
 
 ROOT = Path(clers.__file__).parents[2]
 PAGE = "spec/tutorial.md"
@@ -60,6 +63,17 @@ def test_an_erratum_without_a_place(tmp_path: Path) -> None:
     """Clause: TOOL-PAGE-4."""
     faults = found(write(tmp_path, files(("ERRATUM-1, ERRATUM-2", "ERRATUM-2"))))
     assert faults == [("tutorial", PAGE, 1, "")]
+
+
+def test_a_page_that_is_not_there(tmp_path: Path) -> None:
+    """Clause: TOOL-PAGE-4. Where the clause is stated the page must be there."""
+    of = read(write(tmp_path))
+    stated = ClauseText("TOOL-PAGE-4", "The page is there.", 10, "spec/10-pages.md", 1)
+    assert list(every_place(of)) == []
+    faults = list(every_place(replace(of, clauses=(stated,))))
+    assert [(fault.rule, fault.path, fault.clause) for fault in faults] == [
+        ("tutorial", PAGE, "TOOL-PAGE-4")
+    ]
 
 
 def test_the_page_itself() -> None:

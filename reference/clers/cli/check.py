@@ -74,8 +74,8 @@ def check(
     known = None if baseline is None else _known(baseline)
     place = place_of(workers, scheduler)
     bounds = Bounds(start=start, request=seconds, memory=memory << 20, restarts=restarts)
-    asked = _met(command, bounds, strict=strict_reasons, as_json=as_json)
-    plan = Plan(asked, place, Expected(known.known if known else ()).of, max_failures)
+    said = _met(command, bounds, suite.manifest.suite, strict=strict_reasons, as_json=as_json)
+    plan = Plan(said, place, Expected(known.known if known else ()).of, max_failures)
     songs = suite.canaries if canaries else ()
     carry_out(Task(plan, suite, selected, songs, known, write_baseline, reports, as_json))
 
@@ -121,12 +121,14 @@ def _known(path: Path) -> "Baseline":
     return found.value
 
 
-def _met(command: list[str], bounds: "Bounds", *, strict: bool, as_json: bool) -> "Adapter":
+def _met(
+    command: list[str], bounds: "Bounds", suite: str, *, strict: bool, as_json: bool
+) -> "Adapter":
     """The adapter, if it answers hello. Clause: ORCL-CHECK-10."""
     from clers.conformance.outcome import NoProcess
     from clers.oracle.runs.pieces import meet
 
-    found = meet(command, bounds, strict_reasons=strict)
+    found = meet(command, bounds, strict_reasons=strict, suite=suite)
     if isinstance(found, NoProcess):
         if as_json:
             json({"command": command, "why": found.why, "errors": found.errors})

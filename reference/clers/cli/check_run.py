@@ -99,7 +99,6 @@ def _report(task: Task, minutes: Minutes) -> Report:
     """The run as a value. Clauses: ORCL-REPORT-1, ORCL-HTML-1."""
     return Report(
         suite=task.suite.manifest.suite,
-        suite_version="",
         specification=task.suite.manifest.spec,
         adapter=task.plan.adapter.introduction,
         command=task.plan.adapter.command,

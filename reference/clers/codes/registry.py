@@ -66,7 +66,10 @@ PARTIAL: Final[frozenset[CodeName]] = frozenset(
 
 
 def encode(code: CodeName, stream: Stream) -> Accepted[Bits] | Rejected:
-    """The bits of a stream's word; not its handle data. Clauses: CODE-NAME-1, CODE-NAME-2."""
+    """The bits of a stream's word; not its handle data.
+
+    Clauses: CODE-NAME-1, CODE-NAME-2; what is refused CODE-NAME-5, CODE-NAME-6.
+    """
 
     def write(part: str, seen: tuple[Closing, ...]) -> Accepted[Bits] | Rejected:
         shape = Shape(implied(stream.components_with_boundary), seen)

@@ -5,7 +5,7 @@ from typing import BinaryIO
 
 import msgspec
 
-from clers.conformance.lines import NoMessage, line_of, object_in, request_in
+from clers.conformance.lines import FAULTS, NoMessage, line_of, object_in, request_in
 from clers.conformance.messages import (
     Bye,
     ErrorReply,
@@ -58,14 +58,14 @@ def _no_request(line: bytes, why: str) -> Reply:
 def _text_in(raw: msgspec.Raw | None) -> str | None:
     try:
         return None if raw is None else msgspec.json.decode(raw, type=str)
-    except msgspec.DecodeError:
+    except FAULTS:
         return None
 
 
 def _number_in(raw: msgspec.Raw | None) -> int | None:
     try:
         return None if raw is None else msgspec.json.decode(raw, type=Id)
-    except msgspec.DecodeError:
+    except FAULTS:
         return None
 
 

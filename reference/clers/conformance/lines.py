@@ -29,7 +29,8 @@ REPLIES: Final[dict[str, msgspec.json.Decoder[Reply]]] = {
 _REQUEST: Final[msgspec.json.Decoder[Request]] = msgspec.json.Decoder(Request)
 _OBJECT: Final = msgspec.json.Decoder(dict[str, msgspec.Raw])
 _VALUE: Final = msgspec.json.Decoder(dict[str, object])
-_FAULTS: Final = (msgspec.DecodeError, RecursionError, UnicodeDecodeError)
+FAULTS: Final = (msgspec.DecodeError, RecursionError, UnicodeDecodeError)
+"""What decoding a line can raise, whatever bytes are on it. Clause: ORCL-LINE-3."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +49,7 @@ def object_in(line: bytes) -> dict[str, msgspec.Raw] | NoMessage:
     """The keys of a line, their values unread."""
     try:
         return _OBJECT.decode(line)
-    except _FAULTS as fault:
+    except FAULTS as fault:
         return NoMessage(str(fault))
 
 
@@ -56,7 +57,7 @@ def request_in(line: bytes) -> Request | NoMessage:
     """The request on a line. Clause: ORCL-LINE-3."""
     try:
         return _REQUEST.decode(line)
-    except _FAULTS as fault:
+    except FAULTS as fault:
         return NoMessage(str(fault))
 
 
@@ -70,7 +71,7 @@ def reply_in(line: bytes) -> Reply | NoMessage:
         return NoMessage(f"it has {' and '.join(named) or 'none'} of {', '.join(REPLIES)}")
     try:
         return REPLIES[named[0]].decode(line)
-    except _FAULTS as fault:
+    except FAULTS as fault:
         return NoMessage(str(fault))
 
 
@@ -84,5 +85,5 @@ def result_in(operation: str, ok: msgspec.Raw) -> Result | NoMessage:
         if operation == "hello":
             return msgspec.json.decode(ok, type=Introduction)
         return _VALUE.decode(ok) if kind is None else msgspec.json.decode(ok, type=kind)
-    except _FAULTS as fault:
+    except FAULTS as fault:
         return NoMessage(str(fault))

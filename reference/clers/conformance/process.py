@@ -45,7 +45,9 @@ class Flooded:
 class Process:
     """A running program and what it wrote so far; private and mutable. Clauses: ORCL-RUN-3, -7."""
 
-    __slots__ = ("_bounds", "_errors", "_open", "_popen", "_received", "_unread", "_unsent")
+    __slots__ = (
+        "_bounds", "_errors", "_out_open", "_popen", "_received", "_selector", "_unread", "_unsent"
+    )  # fmt: skip
 
     def __init__(self, command: Sequence[str], bounds: Bounds) -> None:
         """Start the command; OSError where the system will not."""
@@ -63,9 +65,12 @@ class Process:
         self._unread = bytearray()
         self._errors = bytearray()
         self._received = 0
-        self._open = {self._out: True, self._err: True}
+        self._out_open = True
+        self._selector = selectors.DefaultSelector()
         for pipe in (self._in, self._out, self._err):
             os.set_blocking(pipe, False)
+        for pipe in (self._out, self._err):
+            self._selector.register(pipe, selectors.EVENT_READ)
 
     @property
     def pid(self) -> int:
@@ -94,7 +99,10 @@ class Process:
         self._unsent, self._received = memoryview(data), 0
 
     def line(self, deadline: float) -> bytes | Ended | Silent | Flooded:
-        """The next whole line, without its end; or why there is none. Clauses: ORCL-RUN-2, -7."""
+        """The next whole line, without its end; or why there is none. Clauses: ORCL-RUN-2, -7.
+
+        The system is asked whether the process still runs only after a tick in which nothing came.
+        """
         looked = 0
         while True:
             end = self._unread.find(b"\n", looked)
@@ -105,18 +113,19 @@ class Process:
             if self._received > self._bounds.output:
                 return Flooded(bytes(self._unread[:200]))
             looked = len(self._unread)
-            ended = self._popen.poll() is not None or not self._open[self._out]
-            left = deadline - monotonic()
-            if ended and not self._pump(0.0):
+            if not self._out_open:
                 return Ended(self._code())
+            left = deadline - monotonic()
             if left <= 0:
                 return Silent()
-            if not ended:
-                self._pump(min(left, TICK))
+            if self._pump(min(left, TICK)) or self._popen.poll() is None:
+                continue
+            if not self._pump(0.0):
+                return Ended(self._code())
 
     def waiting(self) -> bytes:
         """What was written though nobody asked; nothing is waited for. Clause: ORCL-RUN-4."""
-        while self._pump(0.0) and len(self._unread) <= CHUNK:
+        while self._out_open and len(self._unread) <= CHUNK and self._take(self._out):
             pass
         return bytes(self._unread)
 
@@ -153,6 +162,7 @@ class Process:
         self._popen.wait()
         while self._take(self._err):
             pass
+        self._selector.close()
         for pipe in (self._popen.stdin, self._popen.stdout, self._popen.stderr):
             if pipe is not None:
                 pipe.close()
@@ -164,26 +174,27 @@ class Process:
 
     def _pump(self, seconds: float) -> bool:
         """Move bytes through the pipes, waiting so long at most; whether any output came."""
-        with selectors.DefaultSelector() as selector:
-            for pipe, is_open in self._open.items():
-                if is_open:
-                    selector.register(pipe, selectors.EVENT_READ)
-            if len(self._unsent) > 0:
-                selector.register(self._in, selectors.EVENT_WRITE)
-            ready = {key.fd for key, _ in selector.select(seconds)}
-        if self._in in ready:
-            self._write()
+        self._write()
+        ready = {key.fd for key, _ in self._selector.select(seconds)}
         if self._err in ready:
             self._take(self._err)
         return self._out in ready and self._take(self._out)
 
     def _write(self) -> None:
+        """As much as the pipe takes; while there is more, its room is waited for too."""
+        if len(self._unsent) == 0:
+            return
         try:
             self._unsent = self._unsent[os.write(self._in, self._unsent) :]
         except BlockingIOError:
             pass
         except BrokenPipeError:
             self._unsent = memoryview(b"")
+        watched = self._in in self._selector.get_map()
+        if len(self._unsent) > 0 and not watched:
+            self._selector.register(self._in, selectors.EVENT_WRITE)
+        if len(self._unsent) == 0 and watched:
+            self._selector.unregister(self._in)
 
     def _take(self, pipe: int) -> bool:
         """Read some of a pipe; whether anything came."""
@@ -192,7 +203,9 @@ class Process:
         except BlockingIOError:
             return False
         if not piece:
-            self._open[pipe] = False
+            if pipe in self._selector.get_map():
+                self._selector.unregister(pipe)
+            self._out_open = self._out_open and pipe != self._out
             return False
         if pipe == self._err:
             self._errors += piece

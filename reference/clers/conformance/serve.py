@@ -1,4 +1,8 @@
-"""The reference as an adapter: a request to its replies, and nothing else. Pure."""
+"""The reference as an adapter: a request to its replies, and nothing else. Pure.
+
+What does an operation is imported where the operation is first asked, for an adapter is started
+often and asked few of them. Clause: TOOL-START-2.
+"""
 
 from typing import Final, assert_never, get_args
 
@@ -26,7 +30,6 @@ from clers.conformance.messages import (
     UnsupportedReply,
 )
 from clers.conformance.results import RESULTS
-from clers.conformance.served import arithmetic, codes, meshes, surfaces, words
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where_record import where_record
 
@@ -81,33 +84,55 @@ def _answer(request: Operation) -> Answered:  # noqa: C901  (one case an operati
         case message.Echo():
             return Lacking("echo")
         case message.Classify(input=given):
+            from clers.conformance.served import surfaces
+
             return surfaces.classify(given)
         case message.Apply(input=given):
-            return surfaces.apply(given)
+            from clers.conformance.served import scripts
+
+            return scripts.apply(given)
         case message.ArithmeticEncode(input=given):
+            from clers.conformance.served import arithmetic
+
             return arithmetic.encode(given)
         case message.ArithmeticDecode(input=given):
+            from clers.conformance.served import arithmetic
+
             if given.count > MAX_SYMBOLS:
                 return Lacking("max_symbols")
             return arithmetic.decode(given)
         case message.WordEncode(input=given):
+            from clers.conformance.served import words
+
             return words.encode(given)
         case message.WordDecode(input=given):
+            from clers.conformance.served import words
+
             return words.decode(given)
         case message.CodeEncode(input=given):
+            from clers.conformance.served import codes
+
             code = codes.named(given.code)
             return Lacking(f"code.{given.code}") if code is None else codes.encode(code, given)
         case message.CodeDecode(input=given):
+            from clers.conformance.served import codes
+
             if given.symbols > MAX_SYMBOLS:
                 return Lacking("max_symbols")
             code = codes.named(given.code)
             return Lacking(f"code.{given.code}") if code is None else codes.decode(code, given)
         case message.MeshEncode(input=given):
+            from clers.conformance.served import codes, meshes
+
             code = codes.named(given.code)
             return Lacking(f"code.{given.code}") if code is None else meshes.encode(code, given)
         case message.MeshDecode(input=given):
+            from clers.conformance.served import meshes
+
             return meshes.decode(given)
         case message.Roundtrip(input=given):
+            from clers.conformance.served import meshes
+
             return meshes.roundtrip(given)
         case _:
             assert_never(request)
@@ -117,8 +142,12 @@ def _steps(request: Operation) -> tuple[Step, ...]:
     """The events of a request; none of an input that is rejected. Clause: ORCL-EVENT-1."""
     match request:
         case message.WordEncode(trace="full", input=given):
+            from clers.conformance.served import words
+
             found = words.steps_of_encoding(given)
         case message.WordDecode(trace="full", input=given):
+            from clers.conformance.served import words
+
             found = words.steps_of_decoding(given)
         case _:
             return ()

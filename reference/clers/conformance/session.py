@@ -66,8 +66,10 @@ def asked(number: int, operation: Operation) -> Asked:
     return Asked(name, number, operation.trace == "full", line_of(numbered))
 
 
-HELLO: Final = Asked("hello", 0, False, line_of(Hello(0, PROTOCOL, SPEC_VERSION, "")))
-"""Clause: ORCL-HELLO-1."""
+def hello(suite: str = "") -> Asked:
+    """The first request to a process. Clause: ORCL-HELLO-1."""
+    return Asked("hello", 0, False, line_of(Hello(0, PROTOCOL, SPEC_VERSION, suite)))
+
 
 BYE: Final = b'{"op":"bye"}\n'
 """Clause: ORCL-BYE-1."""
@@ -79,7 +81,11 @@ class Session:
     The one place of the chapter with a life of its own: use it in a `with` statement.
     """
 
-    def __init__(self, command: Sequence[str], bounds: Bounds = DEFAULT_BOUNDS) -> None:
+    def __init__(
+        self, command: Sequence[str], bounds: Bounds = DEFAULT_BOUNDS, suite: str = ""
+    ) -> None:
+        """`suite` is the name of the suite that is asked, if one is. Clause: ORCL-HELLO-1."""
+        self._hello = hello(suite)
         self._command = tuple(command)
         self._bounds = bounds
         self._process: Process | None = None
@@ -175,7 +181,7 @@ class Session:
         except OSError as fault:
             return NoProcess(f"it cannot be started: {fault}")
         self._process = process
-        said = self._converse(process, HELLO, self._bounds.start)
+        said = self._converse(process, self._hello, self._bounds.start)
         why = self._greeted(said)
         if why is None:
             return process

@@ -130,7 +130,7 @@ def manifest(path: Path) -> Accepted[Manifest] | Rejected:
 def _manifest(data: bytes) -> Accepted[Manifest] | Rejected:
     try:
         return Accepted(msgspec.json.decode(data, type=Manifest))
-    except msgspec.DecodeError as error:
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
         return unreadable(str(error))
 
 
@@ -142,5 +142,5 @@ def dirty_manifest(path: Path) -> Accepted[DirtyManifest] | Rejected:
 def _dirty_manifest(data: bytes) -> Accepted[DirtyManifest] | Rejected:
     try:
         return Accepted(msgspec.json.decode(data, type=DirtyManifest))
-    except msgspec.DecodeError as error:
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
         return unreadable(str(error))

@@ -28,7 +28,7 @@ def parse(data: bytes) -> Accepted[RawMesh] | Rejected:
     try:
         cells = _cells(data)
         positions = _positions(data)
-    except (msgspec.DecodeError, binascii.Error) as error:
+    except (msgspec.DecodeError, RecursionError, binascii.Error) as error:
         return unreadable(str(error))
     if cells is None or positions is None:
         return unreadable("no exports.positions and exports.cells of triples")

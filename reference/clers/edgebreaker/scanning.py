@@ -19,7 +19,10 @@ FAR: Final = 1 << 61
 
 
 def scanned(stream: Stream) -> Accepted[Scan] | Rejected:
-    """The scan of a stream that is sound as far as it tells. Linear. EB-GRAMMAR-1 … -4."""
+    """The scan of a stream that is sound as far as it tells. Linear.
+
+    Clauses: EB-GRAMMAR-1 … EB-GRAMMAR-4, and before all others by EB-GRAMMAR-11.
+    """
     word = stream.word.encode("ascii", "replace")
     scan = Scan(word, records_of(stream.records), _within(stream.components_with_boundary))
     return Accepted(scan) if scan.run() else _fault(stream, scan)

@@ -11,7 +11,7 @@ from clers.site.laws import BREAKS, MENTIONING, SOURCES, Break, Mentioning, Sour
 from clers.site.places import ENTRIES
 from clers.site.sound import Site
 
-_IDS: Final = ("EB-WORD-1", "EB-WORD-2", "CODE-NAME-10", "CONV-LAW-3")
+_IDS: Final = ("EB-WORD-1", "EB-WORD-2", "CODE-NAME-4", "CONV-LAW-3")
 _PLAIN: Final = ("word ", "EB-WORD", "-EB-WORD-1", "EB-WORD-1-", " &lt; ", "\n", "1 ", "EB_WORD")
 _OPAQUE: Final = (
     '<a href="x">{}</a>',

@@ -8,7 +8,7 @@ from typing import Final
 from clers.site.mentions import Target, linked_member, linked_text
 
 _PYTHON: Final = re.compile(
-    r"""(?P<s>(?<!\w)[rbufRBUF]{0,2}
+    r"""(?P<s>(?:(?<!\w)[rbufRBUF]{1,2})?
           (?:\"{3}(?:\\.|[^\\])*?\"{3}|'{3}(?:\\.|[^\\])*?'{3}
             |"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'))
       |(?P<c>\#[^\n]*)

@@ -19,8 +19,8 @@ _NEXT: Final = re.compile(r"^#{1,2} ", re.MULTILINE)
 _FIRST_CELL: Final = re.compile(r"^\|([^|]*)\|", re.MULTILINE)
 _NOT_WORDS: Final = re.compile(r"`[^`]*`|\$[^$]*\$")
 _LEAVE: Final = re.compile(
-    r"\b(?:may|might|free(?:ly|dom)?|optional(?:ly)?|advice|anywhere|at will"
-    r"|(?:any|either|whatever) (?:order|way))\b",
+    r"\b(?:may|might|free(?:ly|dom)?|optional(?:ly)?|advice|anywhere|at will|at random|preferred"
+    r"|need not|not matter|(?:any|either|whatever) (?:order|way))\b",
     re.IGNORECASE,
 )
 

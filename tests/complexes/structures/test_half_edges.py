@@ -186,6 +186,30 @@ def test_what_is_said_of_a_fault(of: HalfEdges, reason: Reason, detail: str) -> 
     assert (answer.reason, answer.detail) == (reason, detail)
 
 
+def test_the_first_of_several_faults() -> None:
+    """Clause: CPLX-HALFEDGE-18. Each fault added goes before those so far, at its lowest entry."""
+    of = replace(M, of_vertex=entry(M.of_vertex, 0, M.of_vertex[1]))
+    seen = [(Clause.CPLX_HALFEDGE_7, AtEntry("of_vertex", 0))]
+    found = [half_edges(of)]
+    of = replace(of, of_face=entry(M.of_face, 1, M.of_face[0]))
+    seen.append((Clause.CPLX_HALFEDGE_6, AtEntry("of_face", 1)))
+    found.append(half_edges(of))
+    of = replace(of, face=entry(M.face, 0, 1 - M.face[0]))
+    seen.append((Clause.CPLX_HALFEDGE_6, AtEntry("face", 0)))
+    found.append(half_edges(of))
+    of = replace(of, origin=entry(M.origin, 0, M.origin[M.next[0]]))
+    seen.append((Clause.CPLX_HALFEDGE_5, AtEntry("origin", 0)))
+    found.append(half_edges(of))
+    of = replace(of, twin=entry(M.twin, 3, 3))
+    seen.append((Clause.CPLX_HALFEDGE_4, AtEntry("twin", min(3, M.twin[3]))))
+    found.append(half_edges(of))
+    of = replace(of, previous=entry(M.previous, 5, 5))
+    seen.append((Clause.CPLX_HALFEDGE_3, AtEntry("next", M.previous[5])))
+    found.append(half_edges(of))
+    answers = [(a.clause, a.where) for a in found if isinstance(a, Rejected)]
+    assert answers == seen
+
+
 def test_a_lens_is_a_map_and_no_polytope() -> None:
     """Two edges between two vertices: the invariant holds. CPLX-HALFEDGE-9, CPLX-HALFEDGE-10."""
     assert half_edges(LENS) == Accepted(LENS)

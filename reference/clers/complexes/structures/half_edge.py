@@ -50,7 +50,8 @@ class HalfEdges:
 def half_edges(given: HalfEdges) -> Accepted[HalfEdges] | Rejected:
     """The invariant: the arrays themselves, or the first fault. Clause: CPLX-REFINE-1.
 
-    Linear. Clauses: CPLX-HALFEDGE-2 … CPLX-HALFEDGE-8; as a definition: CPLX-HALFEDGE-9.
+    Linear. Clauses: CPLX-HALFEDGE-2 … CPLX-HALFEDGE-8, in the order of CPLX-HALFEDGE-18; as a
+    definition: CPLX-HALFEDGE-9.
     """
     fault = (
         _bad_lengths(given)

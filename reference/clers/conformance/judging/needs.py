@@ -1,5 +1,7 @@
 """What a case needs that an adapter does not have. Clauses: ORCL-CASE-4, ORCL-JUDGE-6."""
 
+from typing import Final
+
 from clers.conformance.cases.case import Case, operation_of
 from clers.conformance.messages import Caps, Introduction, Roundtrip
 from clers.conformance.payloads import Places
@@ -41,6 +43,8 @@ def declared(name: str, caps: Caps) -> bool:
 
 def _precision(case: Case) -> tuple[str, ...]:
     """The precision that a codec must keep, read off the input. Clause: ORCL-CODEC-16."""
+    if case.op != ROUNDTRIP:
+        return ()
     operation = operation_of(case)
     if isinstance(operation, Roundtrip) and isinstance(operation.input.positions, Places):
         return (f"positions.{operation.input.positions.precision}",)
@@ -56,6 +60,8 @@ def _too_large(case: Case, caps: Caps) -> str | None:
         return "max_symbols"
     return None
 
+
+ROUNDTRIP: Final = "codec.roundtrip"
 
 FACED = frozenset(("surface", "operator", "word", "mesh", "codec"))
 LETTERED = frozenset(("arithmetic", "code"))

@@ -1,10 +1,9 @@
-"""`surface.classify` and `operator.apply`."""
+"""`surface.classify`."""
 
 from clers.complexes.topology import Component, components
 from clers.conformance import payloads as form
 from clers.conformance.served.forms import surface_of
 from clers.conventions.result import Accepted, Rejected, and_then
-from clers.operators.families import AnyScript, read, stages
 
 
 def classify(given: form.Faces) -> Accepted[form.Classified] | Rejected:
@@ -24,23 +23,4 @@ def _component(c: Component) -> form.ComponentForm:
         curves=c.curves,
         genus=c.genus,
         euler=c.euler,
-    )
-
-
-def apply(given: form.ScriptForm) -> Accepted[form.Stages] | Rejected:
-    """The stages of a script, or why it does not apply. Clause: ORCL-OP-3."""
-    return and_then(read(given.script), _stages)
-
-
-def _stages(script: AnyScript) -> Accepted[form.Stages] | Rejected:
-    done, fault = stages(script)
-    if fault is not None:
-        return fault
-    return Accepted(
-        form.Stages(
-            stages=tuple(
-                form.StageForm(operator=s.operator, numbers=dict(s.numbers), idle=s.idle)
-                for s in done
-            )
-        )
     )

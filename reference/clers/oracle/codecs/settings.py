@@ -28,8 +28,7 @@ class Setting:
     @property
     def command(self) -> tuple[str, ...]:
         """The adapter's command line."""
-        code = "from clers.cli.main import main; main()"
-        return (sys.executable, "-P", "-c", code, "adapter", *self.words)
+        return (sys.executable, "-P", "-m", "clers", "adapter", *self.words)
 
 
 def _exact(_: form.MeshForm) -> Bound:

@@ -132,11 +132,10 @@ def facts(report: Report) -> tuple[tuple[str, str], ...]:
         f"components {'yes' if caps.components else 'no'}, "
         f"at most {caps.max_faces} faces and {caps.max_symbols} symbols"
     )
-    suite = f"{report.suite} {report.suite_version}".strip()
     return (
         ("adapter", f"{said.name} {said.version} ({said.language})"),
         ("command", join(report.command)),
-        ("suite", suite),
+        ("suite", report.suite),
         ("specification", report.specification),
         ("operations", ", ".join(said.ops)),
         ("capabilities", able),

@@ -30,7 +30,6 @@ class Report:
     """
 
     suite: str
-    suite_version: str
     specification: str
     adapter: Introduction
     command: tuple[str, ...]

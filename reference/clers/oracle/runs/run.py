@@ -69,14 +69,6 @@ def _alone(plan: Plan, cases: Sequence[Case]) -> Generator[Result, None, None]:
         yield from ask_piece(piece)
 
 
-def ask_all(
-    cases: Sequence[Case], adapter: Adapter, place: Place = HERE
-) -> Generator[Judged, None, None]:
-    """What each case came to, in order; of a lost piece nothing. Clause: ORCL-CHECK-1."""
-    with closing(_told(Plan(adapter, place), cases)) as news:
-        yield from (found.judged for found in news if isinstance(found, Result))
-
-
 def _told(plan: Plan, cases: Sequence[Case]) -> Generator[Result | Lost, None, None]:
     """What came of each case, in order. Clauses: ORCL-CHECK-6, ORCL-POOL-1."""
     return spread(ask_piece, pieces(plan.adapter, cases), plan.place)
