@@ -60,7 +60,7 @@ def test_draws_reach_every_fault() -> None:
     """CPLX-REJECT-1, -3 … -9, and a third at least that is good."""
     found: list[Reason | None] = []
 
-    @settings(max_examples=300, phases=[Phase.generate], suppress_health_check=list(HealthCheck))
+    @settings(max_examples=1200, phases=[Phase.generate], suppress_health_check=list(HealthCheck))
     @given(face_lists())
     def record(mesh: FaceList) -> None:
         found.append(reason_of(mesh))
