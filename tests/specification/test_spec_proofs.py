@@ -77,9 +77,12 @@ def test_dead_reference(
 def test_no_head_and_a_name_twice(tmp_path: Path) -> None:
     """Clause: TOOL-PROOF-1."""
     head = FILES[NOTE]
-    files = {**FILES, "proofs_notes/a.md": "# A\n", "proofs_notes/b.md": head}
+    other = {"proofs_notes/campaigns.md": "# C\n", "proofs_notes/coq/a.md": "# D\n"}
+    files = {**FILES, **other, "proofs_notes/a.md": "# A\n", "proofs_notes/b.md": head}
     faults = sentences(write(tmp_path, files))
-    assert "proofs_notes/a.md:1: has no theorem with a head [proof]" in faults
+    assert [fault for fault in faults if "no theorem with a head" in fault] == [
+        "proofs_notes/a.md:1: has no theorem with a head [proof]"
+    ]
     twice = "theorem no-lid-of-a-lid is at proofs_notes/b.md:7 too [proof]"
     assert f"{NOTE}:7: {twice}" in faults
 

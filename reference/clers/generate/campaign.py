@@ -30,8 +30,8 @@ PATIENCE: Final = 10.0
 BYTES_OF_MEMORY: Final = 4096
 """For each byte of a file; a golden word has up to 12 symbols in a byte. Clause: FILE-COUNT-4."""
 
-ALLOWANCE: Final = 1 << 18
-"""For what any reader needs, in bytes."""
+ALLOWANCE: Final = 1 << 22
+"""For what a reader needs whatever the file, in bytes: the code `context` begins with 3 MB."""
 
 MEASURED: Final = 50
 """One file in so many has its memory measured, which is slow."""

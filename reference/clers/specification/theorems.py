@@ -19,6 +19,9 @@ from clers.specification.markdown import Page, slug
 
 FOLDER: Final = "proofs_notes"
 README: Final = f"{FOLDER}/README.md"
+OTHERS: Final = frozenset({README, f"{FOLDER}/campaigns.md"})
+"""Pages that are no notes. Clause: TOOL-PROOF-1."""
+
 FIELDS: Final = ("Theorem", "Clauses", "Known by", "Laws", "Assumes")
 
 _FIELD: Final = re.compile(r"- \*\*([A-Z][a-z ]*)\.\*\*\s*(.*)")
@@ -127,8 +130,8 @@ class Malformed:
 
 
 def is_note(path: str) -> bool:
-    """Whether a page is a note: it lies in the folder itself and is not its readme."""
-    return path.startswith(f"{FOLDER}/") and path.count("/") == 1 and path != README
+    """Whether a page is a note: it lies in the folder itself, and says what theorems it has."""
+    return path.startswith(f"{FOLDER}/") and path.count("/") == 1 and path not in OTHERS
 
 
 def theorems(page: Page) -> Iterator[Theorem | Malformed]:
