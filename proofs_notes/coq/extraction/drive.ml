@@ -7,6 +7,7 @@ open Protocol
 let operations : (string * (Json.value -> answer)) list =
   [ ("arithmetic.encode", Arithmetic.encode);
     ("arithmetic.decode", Arithmetic.decode);
+    ("word.encode", Words.encode);
     ("word.decode", Words.decode) ]
 
 let caps =
