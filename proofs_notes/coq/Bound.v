@@ -61,7 +61,8 @@ Fixpoint begins (u v : list bool) : bool :=
   | _, _ => false
   end.
 
-Definition follows (p x : symbol) : bool := match p, x with sC, (sL | sE) => false | _, _ => true end.
+Definition follows (p x : symbol) : bool := match p, x with sC, (sL | sE) => false | _, _ => true
+  end.
 
 Theorem prefix_free : forall t p x y, follows p x = true -> follows p y = true ->
   begins (codeword t p x) (codeword t p y) = true -> x = y.

@@ -1,6 +1,7 @@
 (** * Collapses and expansions
 
-    Clauses: OPER-COLLAPSE-1 to -3 (when they apply), OPER-MOVE-5 and OPER-MOVE-6 for them (they undo
+    Clauses: OPER-COLLAPSE-1 to -3 (when they apply), OPER-MOVE-5 and OPER-MOVE-6 for them (they
+    undo
     each other; they keep χ), OPER-COLLAPSE-4 (with A a vertex and an edge, with A an edge and a
     triangle: the same statements for one and for two vertices).
 
@@ -78,7 +79,8 @@ Proof.
       - exfalso; apply E, same_vertices; auto; intros x X.
         rewrite forallb_forall in Z; specialize (Z x X); destruct (in_dec Nat.eq_dec x A); auto.
         discriminate.
-      - assert (Y : existsb (fun w => negb (if in_dec Nat.eq_dec w A then true else false)) t = true).
+      - assert (Y : existsb (fun w => negb (if in_dec Nat.eq_dec w A then true else false)) t =
+          true).
         { clear - Z; induction t as [|x t IH]; cbn in *; [discriminate|].
           destruct (in_dec Nat.eq_dec x A); cbn in *; auto. }
         apply existsb_exists in Y; destruct Y as [w [W Y]]; exists w; split; auto.

@@ -30,7 +30,8 @@ Qed.
 
 Lemma sorted_nodup : forall s, sorted s -> NoDup s.
 Proof.
-  induction s as [|x s IH]; intros H; constructor; apply sorted_cons in H; destruct H as [H F]; auto.
+  induction s as [|x s IH]; intros H; constructor; apply sorted_cons in H; destruct H as [H F];
+    auto.
   intros I; apply F in I; lia.
 Qed.
 
@@ -50,7 +51,8 @@ Proof.
 Qed.
 
 Lemma same_length : forall s t, sorted s -> sorted t -> incl s t -> length t <= length s -> s = t.
-Proof. intros s t S T I L; apply same_vertices; auto; apply NoDup_length_incl; auto using sorted_nodup. Qed.
+Proof. intros s t S T I L; apply same_vertices; auto; apply NoDup_length_incl;
+  auto using sorted_nodup. Qed.
 
 (** A set with one vertex more. *)
 Fixpoint insert (x : nat) (s : simplex) : simplex :=
@@ -72,7 +74,8 @@ Proof.
   - pose proof H as K; apply sorted_cons in H; destruct H as [H F].
     destruct (Nat.ltb_spec x z); [|destruct (Nat.eqb_spec x z); auto].
     + apply sorted_cons; split; auto; intros y [<-|Y]; [|apply F in Y]; lia.
-    + apply sorted_cons; split; auto; intros y Y; apply in_insert in Y; destruct Y as [->|Y]; auto; lia.
+    + apply sorted_cons; split; auto; intros y Y; apply in_insert in Y; destruct Y as [->|Y]; auto;
+        lia.
 Qed.
 
 Lemma length_insert : forall x s, ~ In x s -> length (insert x s) = S (length s).
@@ -203,7 +206,8 @@ Proof.
   assert (F : total sign (filter (fun t => negb (nonempty t)) (subsets s)) = -1); [|lia].
   clear; induction s as [|x s IH]; [reflexivity|]; cbn [subsets].
   rewrite filter_app, total_app, IH.
-  assert (filter (fun t => negb (nonempty t)) (map (cons x) (subsets s)) = []) as ->; [|reflexivity].
+  assert (filter (fun t => negb (nonempty t)) (map (cons x) (subsets s)) = []) as ->;
+    [|reflexivity].
   clear IH; induction (subsets s); cbn; auto.
 Qed.
 
@@ -232,8 +236,10 @@ Lemma number_closure : forall s k, number (S k) (closure s) = choose (length s) 
 Proof.
   intros s k; rewrite <- number_subsets; unfold number, closure.
   rewrite (total_split _ nonempty (subsets s)).
-  assert (K : forall L, total (has_size (S k)) (filter (fun t => negb (nonempty t)) L) = 0); [|rewrite K; lia].
-  unfold total; induction L as [|[|] L IH]; cbn [filter nonempty negb fold_right]; rewrite ?IH; auto.
+  assert (K : forall L, total (has_size (S k)) (filter (fun t => negb (nonempty t)) L) = 0);
+    [|rewrite K; lia].
+  unfold total; induction L as [|[|] L IH]; cbn [filter nonempty negb fold_right]; rewrite ?IH;
+    auto.
 Qed.
 
 (** ** Complexes *)

@@ -55,8 +55,10 @@ Qed.
 Lemma curve_number : forall mk rs, reached mk rs -> (forall a, In a mk <-> (a < vertices M)%nat) ->
   length rs = length (curves M).
 Proof.
-  intros mk rs [N R] A; apply Permutation_length, NoDup_Permutation; auto; [apply (curves_once M HM)|].
-  intros k; rewrite R, (curves_all M HM); split; intros [a [I E]]; exists a; split; auto; apply A; auto.
+  intros mk rs [N R] A; apply Permutation_length, NoDup_Permutation; auto;
+    [apply (curves_once M HM)|].
+  intros k; rewrite R, (curves_all M HM); split; intros [a [I E]]; exists a; split; auto; apply A;
+    auto.
 Qed.
 
 Section Numbers.
@@ -85,7 +87,8 @@ Proof. destruct (walk_ends M HM k s HW) as (_ & _ & _ & _ & TL & _); apply TL. Q
 (** The last symbol is E. *)
 Theorem ends_in_e : final sE w = sE.
 Proof.
-  destruct (walk_ends M HM k s HW) as (G & _ & _ & _ & TL & _); destruct (t_last M _ _ TL G) as [u E].
+  destruct (walk_ends M HM k s HW) as (G & _ & _ & _ & TL & _);
+    destruct (t_last M _ _ TL G) as [u E].
   unfold w; rewrite E; cbn [rev]; rewrite final_app; reflexivity.
 Qed.
 
@@ -106,7 +109,8 @@ Proof.
   unfold w; rewrite count_rev; unfold V, B.
   destruct k; cbn [when] in C; [|lia].
   assert (border_edges M = 0%nat); [|lia].
-  unfold border_edges, border_corners; destruct (filter (border M) (all_corners M)) as [|c l] eqn:E; auto.
+  unfold border_edges, border_corners; destruct (filter (border M) (all_corners M)) as [|c l]
+    eqn:E; auto.
   assert (J : In c (filter (border M) (all_corners M))) by (rewrite E; left; auto).
   apply filter_In in J; destruct J as [J1 J2]; apply in_corners, in_seq in J1; unfold border in J2.
   destruct (opp c) eqn:O; [discriminate|destruct (NB eq_refl c); auto; lia].
@@ -118,11 +122,13 @@ Proof.
   - unfold border_edges, border_corners.
     destruct (filter (border M) (all_corners M)) as [|c l] eqn:E; auto.
     assert (J : In c (filter (border M) (all_corners M))) by (rewrite E; left; auto).
-    apply filter_In in J; destruct J as [J1 J2]; apply in_corners, in_seq in J1; unfold border in J2.
+    apply filter_In in J; destruct J as [J1 J2]; apply in_corners, in_seq in J1;
+      unfold border in J2.
     destruct (opp c) eqn:O; [discriminate|destruct (NB K c); auto; lia].
   - destruct (curves M) as [|j l] eqn:E; auto; exfalso.
     assert (J : In j (curves M)) by (rewrite E; left; auto).
-    apply (curves_all M HM) in J; destruct J as [a [A1 A2]]; rewrite (NC K a A1) in A2; discriminate.
+    apply (curves_all M HM) in J; destruct J as [a [A1 A2]]; rewrite (NC K a A1) in A2;
+      discriminate.
 Qed.
 
 (** #S - #E, before any genus: it is -χ, and one more in a closed component. *)
@@ -141,7 +147,8 @@ Qed.
 Theorem all_records : handles s + boundaries s = count sS w - count sE w + 1.
 Proof.
   destruct (walk_ends M HM k s HW) as (G & _ & _ & ST & TL & _); pose proof (t_stack M _ _ TL) as S.
-  rewrite G, ST in S; cbn [length] in S; unfold w; rewrite !count_rev; unfold handles, boundaries; lia.
+  rewrite G, ST in S; cbn [length] in S; unfold w; rewrite !count_rev; unfold handles, boundaries;
+    lia.
 Qed.
 
 (** EB-COUNT-4, second part: #Sb is 0 in a closed component, and b - 1 in one with boundary. *)
@@ -161,7 +168,8 @@ Hypothesis HG : has_genus M g.
 (** EB-COUNT-3: #S - #E is 2g - 1 in a closed component, and 2g + b - 2 in one with boundary. *)
 Theorem splits_less_ends : count sS w - count sE w = if k then 2 * g - 1 else 2 * g + b - 2.
 Proof.
-  pose proof closed_has_no as N; rewrite splits_and_ends; unfold has_genus in HG; rewrite HG; fold b.
+  pose proof closed_has_no as N; rewrite splits_and_ends; unfold has_genus in HG; rewrite HG;
+    fold b.
   destruct k; [|lia]; destruct (N eq_refl) as [_ X]; unfold b; rewrite X; cbn [length]; lia.
 Qed.
 

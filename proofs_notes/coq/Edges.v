@@ -17,11 +17,13 @@ Fixpoint sum {A} (f : A -> nat) (l : list A) : nat :=
 Lemma sum_app : forall A (f : A -> nat) l m, sum f (l ++ m) = sum f l + sum f m.
 Proof. induction l; intros; cbn; rewrite ?IHl; lia. Qed.
 Lemma sum_ext : forall A (f g : A -> nat) l, (forall x, In x l -> f x = g x) -> sum f l = sum g l.
-Proof. induction l; intros H; cbn; auto; rewrite (H a), IHl; cbn; auto; intros; apply H; cbn; auto. Qed.
+Proof. induction l; intros H; cbn; auto; rewrite (H a), IHl; cbn; auto; intros; apply H; cbn;
+  auto. Qed.
 Lemma sum_plus : forall A (f g : A -> nat) l, sum (fun x => f x + g x) l = sum f l + sum g l.
 Proof. induction l; cbn; lia. Qed.
 Lemma sum_zero : forall A (f : A -> nat) l, (forall x, In x l -> f x = 0) -> sum f l = 0.
-Proof. induction l; intros H; cbn; auto; rewrite (H a), IHl; cbn; auto; intros; apply H; cbn; auto. Qed.
+Proof. induction l; intros H; cbn; auto; rewrite (H a), IHl; cbn; auto; intros; apply H; cbn;
+  auto. Qed.
 Lemma sum_swap : forall A B (f : A -> B -> nat) l m,
   sum (fun x => sum (f x) m) l = sum (fun y => sum (fun x => f x y) l) m.
 Proof.
@@ -55,7 +57,8 @@ Lemma sum_corners : forall (f : corner -> nat) l,
   sum f (corners l) = sum (fun t => f (t, p0) + f (t, p1) + f (t, p2)) l.
 Proof.
   induction l as [|t l IH]; [reflexivity|].
-  change (corners (t :: l)) with (at_face t ++ corners l); rewrite sum_app, IH; cbn [sum at_face]; lia.
+  change (corners (t :: l)) with (at_face t ++ corners l); rewrite sum_app, IH; cbn [sum at_face];
+    lia.
 Qed.
 
 (** The three corners of a face, beginning with any. *)
@@ -127,7 +130,8 @@ Proof.
       * apply sum_zero; auto.
 Qed.
 
-(** Twice the sides opened so far are the inner sides of the faces taken and the sides still open. *)
+(** Twice the sides opened so far are the inner sides of the faces taken and the sides still open.
+    *)
 Lemma opened_twice : forall M l, surface M -> NoDup l -> (forall u, In u l -> u < triangles M) ->
   2 * opened M l = inner_sides M l + frontier M l.
 Proof.

@@ -14,7 +14,8 @@ Open Scope nat_scope.
 Definition triple : Type := (nat * nat * nat)%type.
 Definition at_place (t : triple) (k : place) : nat :=
   let '(a, b, c) := t in match k with p0 => a | p1 => b | p2 => c end.
-Definition vertex_of (l : list triple) (c : corner) : nat := at_place (nth (fst c) l (0, 0, 0)) (snd c).
+Definition vertex_of (l : list triple) (c : corner) : nat :=
+  at_place (nth (fst c) l (0, 0, 0)) (snd c).
 
 (** The corner across: the one whose edge is run the other way. *)
 Definition across_of (l : list triple) (c : corner) : option corner :=
@@ -46,7 +47,8 @@ Definition check_opposite (M : table) (c : corner) : bool :=
 
 Definition check_simple (M : table) : bool :=
   forallb (fun f => forallb (fun g => (f =? g)
-    || negb (forallb (fun c => existsb (fun d => vertex M c =? vertex M d) (at_face g)) (at_face f)))
+    || negb (forallb (fun c => existsb (fun d => vertex M c =? vertex M d) (at_face g)) (at_face
+      f)))
     (seq 0 (triangles M))) (seq 0 (triangles M)).
 
 Fixpoint nodupb (l : list nat) : bool :=
@@ -58,7 +60,8 @@ Fixpoint spread (M : table) (n : nat) (l : list nat) : list nat :=
   match n with
   | 0 => l
   | S k => spread M k (nodup Nat.eq_dec
-      (l ++ flat_map (fun c => match opposite M c with Some d => [face d] | None => [] end) (corners l)))
+      (l ++ flat_map (fun c => match opposite M c with Some d => [face d] | None => [] end)
+        (corners l)))
   end.
 
 Definition starts_of (M : table) : list nat := map (fun c => vertex M (next c)) (border_corners M).
@@ -71,13 +74,15 @@ Definition check (M : table) : bool :=
   && check_simple M
   && all M (fun c => vertex M c <? vertices M)
   && forallb (fun v => existsb (fun c => vertex M c =? v) (all_corners M)) (seq 0 (vertices M))
-  && (nodupb (starts_of M) && subset (starts_of M) (on_curves M) && subset (on_curves M) (starts_of M))
+  && (nodupb (starts_of M) && subset (starts_of M) (on_curves M) && subset (on_curves M) (starts_of
+    M))
   && nodupb (curves M)
   && forallb (fun k => existsb (fun v => match curve M v with Some j => j =? k | None => false end)
        (seq 0 (vertices M))) (curves M)
   && forallb (fun v => match curve M v with Some j => mem j (curves M) | None => true end)
        (seq 0 (vertices M))
-  && forallb (fun f => subset (seq 0 (triangles M)) (spread M (triangles M) [f])) (seq 0 (triangles M)).
+  && forallb (fun f => subset (seq 0 (triangles M)) (spread M (triangles M) [f])) (seq 0 (triangles
+    M)).
 
 Lemma all_true : forall M p, all M p = true -> forall c, face c < triangles M -> p c = true.
 Proof.
@@ -87,7 +92,8 @@ Qed.
 
 Lemma nodupb_true : forall l, nodupb l = true -> NoDup l.
 Proof.
-  induction l as [|x l IH]; cbn; intros H; constructor; apply andb_true_iff in H; destruct H as [A B]; auto.
+  induction l as [|x l IH]; cbn; intros H; constructor; apply andb_true_iff in H;
+    destruct H as [A B]; auto.
   apply negb_true_iff, mem_false in A; auto.
 Qed.
 
@@ -102,7 +108,8 @@ Proof.
   intros M; induction n as [|n IH]; intros f l F H O g I; [apply H; exact I|].
   cbn [spread] in I; refine (IH f _ F _ O g I); clear g I; intros g I.
   apply nodup_In, in_app_iff in I; destruct I as [I|I]; [auto|].
-  apply in_flat_map in I; destruct I as [c [C I]]; apply in_corners in C; destruct (H _ C) as [FC JC].
+  apply in_flat_map in I; destruct I as [c [C I]]; apply in_corners in C;
+    destruct (H _ C) as [FC JC].
   destruct (opposite M c) as [d|] eqn:E; [|destruct I]; destruct I as [<-|[]].
   split; [eauto|eapply across; eauto].
 Qed.
@@ -111,7 +118,8 @@ Theorem check_surface : forall M, check M = true -> surface M.
 Proof.
   intros M H; unfold check in H; rewrite !andb_true_iff in H.
   destruct H as (((((((((A & B) & C) & D) & E) & ((F1 & F2) & F3)) & G) & I) & J) & K).
-  assert (OS : forall c, face c < triangles M -> check_opposite M c = true) by (apply all_true; auto).
+  assert (OS : forall c, face c < triangles M -> check_opposite M c = true) by (apply all_true;
+    auto).
   constructor.
   - intros c d FC O; specialize (OS c FC); unfold check_opposite in OS; rewrite O in OS.
     rewrite !andb_true_iff, negb_true_iff, !Nat.eqb_eq, Nat.eqb_neq, Nat.ltb_lt in OS.
@@ -142,7 +150,8 @@ Proof.
     + rewrite forallb_forall in I; specialize (I k X); apply existsb_exists in I.
       destruct I as [v [V Y]]; apply in_seq in V; exists v; split; [lia|].
       destruct (curve M v); [|discriminate]; apply Nat.eqb_eq in Y; congruence.
-    + destruct X as [v [V Y]]; rewrite forallb_forall in J; specialize (J v ltac:(apply in_seq; lia)).
+    + destruct X as [v [V Y]]; rewrite forallb_forall in J; specialize (J v ltac:(apply in_seq;
+        lia)).
       rewrite Y in J; apply mem_true; auto.
   - intros f g Ff Fg; rewrite forallb_forall in K; specialize (K f ltac:(apply in_seq; lia)).
     apply subset_true in K; apply (spread_joined M (triangles M) f [f]); auto.

@@ -27,7 +27,8 @@ Proof. intros a b; unfold ring; destruct (curve M a), (curve M b); auto using Na
 Lemma ring_trans : forall a b c, ring M a b = true -> ring M b c = true -> ring M a c = true.
 Proof.
   intros a b c; unfold ring; destruct (curve M a) eqn:A, (curve M b) eqn:B, (curve M c) eqn:C;
-    intros H G; try discriminate; apply Nat.eqb_eq in H; apply Nat.eqb_eq in G; subst; try congruence;
+    intros H G; try discriminate; apply Nat.eqb_eq in H; apply Nat.eqb_eq in G; subst;
+      try congruence;
     apply Nat.eqb_refl.
 Qed.
 

@@ -4,7 +4,8 @@
     golden code and section 2 of the one on minimax codes.
 
     Symbols that occur n_1, n_2, … times, n together, have under a table of frequencies f_1, f_2, …
-    of sum M the probability Π (f_i/M)^(n_i); under their own frequencies Π (n_i/n)^(n_i). The second
+    of sum M the probability Π (f_i/M)^(n_i); under their own frequencies Π (n_i/n)^(n_i). The
+    second
     is never less. Multiplied out, this is about whole numbers, and no logarithm occurs. *)
 
 Require Import ZArith List Lia.
@@ -36,7 +37,8 @@ Proof.
   { apply Z.mul_nonneg_nonneg; [apply Z.mul_nonneg_nonneg; lia|apply Z.square_nonneg]. }
   unfold Z.succ; apply Z.le_sub_0.
   replace ((k + 1 + 1) * q * (p * u) - (q * (q * w) + (k + 1) * (p * (p * u))))
-    with ((q * ((k + 1) * q * u) - q * (q * w + k * (p * u))) - (k + 1) * u * ((q - p) * (q - p))) by ring.
+    with ((q * ((k + 1) * q * u) - q * (q * w + k * (p * u))) - (k + 1) * u * ((q - p) * (q - p)))
+      by ring.
   lia.
 Qed.
 
@@ -46,7 +48,8 @@ Definition product (l : list Z) : Z := fold_right Z.mul 1 l.
 Lemma sum_nonneg : forall l, (forall x, In x l -> 0 <= x) -> 0 <= sum l.
 Proof.
   induction l as [|x l IH]; intros H; cbn; [lia|].
-  pose proof (H x (or_introl eq_refl)); assert (0 <= sum l) by (apply IH; intros; apply H; right; auto).
+  pose proof (H x (or_introl eq_refl)); assert (0 <= sum l) by (apply IH; intros; apply H; right;
+    auto).
   unfold sum in *; lia.
 Qed.
 
@@ -119,7 +122,8 @@ Proof.
     rewrite Nat.add_0_r in M; fold p q in M.
     replace (p * (x * q) + (q * (y * p) + 0)) with ((p * q) * (x + y)) in M by ring.
     rewrite !pow_mul, !(pow_add p), !(pow_add q) in M.
-    set (pa := pow p a) in *; set (pb := pow p b) in *; set (qa := pow q a) in *; set (qb := pow q b) in *.
+    set (pa := pow p a) in *; set (pb := pow p b) in *; set (qa := pow q a) in *; set (qb :=
+      pow q b) in *.
     set (xa := pow x a) in *; set (yb := pow y b) in *; set (s := pow (x + y) (a + b)) in *.
     set (n := pow (Z.of_nat (a + b)) (a + b)) in *.
     assert (0 < qa) by (apply pow_pos; auto); assert (0 < pb) by (apply pow_pos; auto).
@@ -139,7 +143,8 @@ Definition in_own (l : list (nat * Z)) : Z :=
 Theorem own_frequencies_cost_least : forall l, (forall n f, In (n, f) l -> 0 <= f) ->
   pow (Z.of_nat (occurs l)) (occurs l) * in_table l <= pow (whole l) (occurs l) * in_own l.
 Proof.
-  assert (W : forall l, (forall n f, In (n, f) l -> 0 <= f) -> 0 <= whole l /\ 0 <= in_table l /\ 0 < in_own l
+  assert (W : forall l, (forall n f, In (n, f) l -> 0 <= f) ->
+    0 <= whole l /\ 0 <= in_table l /\ 0 < in_own l
     /\ (whole l = 0 -> occurs l <> 0%nat -> in_table l = 0)).
   { induction l as [|[n f] l IH]; intros H; [cbn; repeat split; try lia; congruence|].
     assert (F : 0 <= f) by (apply (H n f); left; auto).
@@ -158,7 +163,8 @@ Proof.
   cbn [whole in_table in_own occurs fold_right fst snd].
   fold (whole l) (in_table l) (in_own l) (occurs l).
   pose proof (two_symbols n (occurs l) f (whole l) F W1) as T.
-  set (m := occurs l) in *; set (M := whole l) in *; set (t := in_table l) in *; set (o := in_own l) in *.
+  set (m := occurs l) in *; set (M := whole l) in *; set (t := in_table l) in *; set (o :=
+    in_own l) in *.
   set (N := pow (Z.of_nat (n + m)) (n + m)) in *; set (S := pow (f + M) (n + m)) in *.
   set (fn := pow f n) in *; set (nn := pow (Z.of_nat n) n) in *.
   set (mm := pow (Z.of_nat m) m) in *; set (Mm := pow M m) in *.

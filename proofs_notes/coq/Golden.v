@@ -57,14 +57,16 @@ Definition probability (p x : symbol) : ring :=
   match units p x with Some n => power inverse n | None => (0, 0) end.
 
 (** CODE-GOLDEN-1: in each context the probabilities of the five symbols add up to 1. *)
-Theorem probabilities : forall p, fold_right plus (0, 0) (map (probability p) [sC; sL; sE; sR; sS]) = one.
+Theorem probabilities : forall p, fold_right plus (0, 0) (map (probability p) [sC; sL; sE; sR;
+  sS]) = one.
 Proof. intros []; reflexivity. Qed.
 
 (** CODE-GOLDEN-2: so do the frequencies, to the 24th Fibonacci number. *)
 Fixpoint fibonacci (n : nat) : Z * Z :=
   match n with O => (0, 1) | Datatypes.S k => let (a, b) := fibonacci k in (b, a + b) end.
 Definition F (n : nat) : Z := fst (fibonacci n).
-Definition frequency (p x : symbol) : Z := match units p x with Some n => F (24 - n) | None => 0 end.
+Definition frequency (p x : symbol) : Z := match units p x with Some n => F (24 - n) | None => 0
+  end.
 
 Theorem frequencies : forall p, F 24 = 46368
   /\ fold_right Z.add 0 (map (frequency p) [sC; sL; sE; sR; sS]) = F 24.
@@ -108,7 +110,8 @@ Proof.
   induction w as [|x w IH]; intros p H.
   - cbn; lia.
   - rewrite size_cons; cbn [length_of count final]; rewrite (IH x (tame_cons _ _ _ H)).
-    assert (G : exists n, units p x = Some n) by (destruct p, x; cbn in *; try contradiction; eauto).
+    assert (G : exists n, units p x = Some n) by (destruct p, x; cbn in *; try contradiction;
+      eauto).
     destruct G as [n G]; rewrite G, (charge p x n G); lia.
 Qed.
 

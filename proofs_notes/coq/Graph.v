@@ -23,10 +23,12 @@ Definition components (V : list nat) (E : list edge) (n : nat) : Prop :=
   exists R, representatives V E R /\ length R = n.
 
 Lemma linked_refl : forall E x, linked E x x. Proof. intros; apply rst_refl. Qed.
-Lemma linked_sym : forall E x y, linked E x y -> linked E y x. Proof. intros; apply rst_sym; auto. Qed.
+Lemma linked_sym : forall E x y, linked E x y -> linked E y x. Proof. intros; apply rst_sym;
+  auto. Qed.
 Lemma linked_trans : forall E x y z, linked E x y -> linked E y z -> linked E x z.
 Proof. intros; eapply rst_trans; eauto. Qed.
-Lemma linked_edge : forall E x y, In (x, y) E -> linked E x y. Proof. intros; apply rst_step; auto. Qed.
+Lemma linked_edge : forall E x y, In (x, y) E -> linked E x y. Proof. intros; apply rst_step;
+  auto. Qed.
 Lemma linked_more : forall E E' x y, incl E E' -> linked E x y -> linked E' x y.
 Proof.
   intros E E' x y I H; induction H;
@@ -52,7 +54,8 @@ Qed.
 
 Theorem components_unique : forall V E m n, components V E m -> components V E n -> m = n.
 Proof.
-  assert (K : forall V E R R', representatives V E R -> representatives V E R' -> length R <= length R').
+  assert (K : forall V E R R', representatives V E R -> representatives V E R' ->
+    length R <= length R').
   { intros V E R R' (N & I & _ & U) (_ & _ & C & _).
     apply (pigeonhole (fun x y => linked E x y)); auto.
     intros x x' y X X' A B; apply U; auto; eapply linked_trans; [exact A|apply linked_sym; auto]. }
@@ -75,7 +78,8 @@ Proof.
 Qed.
 
 Theorem no_component : components [] [] 0.
-Proof. exists []; split; auto; repeat split; [constructor|intros x []|intros v []|intros r r' []]. Qed.
+Proof. exists []; split; auto; repeat split; [constructor|intros x []|intros v []|intros r r' []].
+  Qed.
 
 (** Edges lie between vertices. *)
 Definition within (V : list nat) (E : list edge) : Prop :=
@@ -126,7 +130,8 @@ Theorem add_joining : forall V E n x y, In x V -> In y V -> ~ linked E x y -> co
 Proof.
   intros V E n x y X Y NL (R & (N & I & C & U) & L).
   destruct (C x X) as (rx & RX & LX); destruct (C y Y) as (ry & RY & LY).
-  set (Q := fun a b => linked E a b \/ (linked E a x /\ linked E y b) \/ (linked E a y /\ linked E x b)).
+  set (Q := fun a b => linked E a b \/ (linked E a x /\ linked E y b) \/ (linked E a y /\ linked E
+    x b)).
   assert (G : forall a b, linked ((x, y) :: E) a b -> Q a b).
   { intros a b K; unfold Q; induction K as [a b K|a|a b K IH|a b c K IH K' IH'].
     - destruct K as [K|K]; [injection K as <- <-|left; apply linked_edge; auto].

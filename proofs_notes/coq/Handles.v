@@ -1,118 +1,16 @@
-(** The round trip of closed surfaces with handles: what Spirale Reversi glues.
+(** The round trip of closed surfaces with handles: what Spirale Reversi holds.
 
-    EB-DECODE-1 (first sentence), EB-REVERSI-1 to EB-REVERSI-3, EB-HANDLE-1, EB-HANDLE-4 for one
-    connected closed surface of any genus. The symbols of its walk, each S whose left gate is passed
-    over with the side that closes it, go through the machine of [Reversi]; the machine glues every
-    side once, and each to the side that it is glued to in the mesh ([handles_round_trip]).
-
-    How: behind each gate of the stack there is a branch. Its loop is a closed walk of the mesh, so
-    are the loops beside it; their edges were all closed, on the other side, before the gate was
-    entered. Undoing a step keeps that. Nothing about genus or curves is used. *)
+    EB-REVERSI-1, EB-REVERSI-2, EB-HANDLE-1, EB-HANDLE-4 for one connected closed surface of any
+    genus. Behind each gate of the stack that is not passed over there is a [branch]. Its loop is a
+    closed walk of the mesh, so are the loops beside it; their edges were all closed, on the other
+    side, before the gate was entered. [walk_is_grove]: undoing a step keeps that, the machine never
+    fails, and each side leaves a loop when it is glued to the side that it is glued to in the mesh.
+    Nothing about genus or curves is used. *)
 Require Import List Arith Lia Permutation.
-Require Import Clers.Letters Clers.Words Clers.Meshes Clers.Discs Clers.Traversal Clers.Visited
-  Clers.Records Clers.Undoing Clers.Reversi.
+Require Import Clers.Letters Clers.Meshes Clers.Discs Clers.Traversal Clers.Visited
+  Clers.Records Clers.Undoing Clers.Reversi Clers.Sides.
 Import ListNotations.
 Open Scope nat_scope.
-
-(** The edge that a triangle (apex, left end, right end) runs at a place. *)
-Definition edge_of (f : face) (p : place) : edge :=
-  let '(v, a, b) := f in
-  match p with at_gate => (a, b) | at_right => (b, v) | at_left => (v, a) end.
-
-Fixpoint edge_at (T : list step) (s : side) : edge :=
-  match T with
-  | [] => (0, 0)
-  | (_, f) :: T => if fst s =? length T then edge_of f (snd s) else edge_at T s
-  end.
-
-(** The sides of the steps, where k symbols come after them. *)
-Definition three_sides (n : nat) : list side := [(n, at_gate); (n, at_right); (n, at_left)].
-Fixpoint sides (k : nat) (tr : list step) : list side :=
-  match tr with [] => [] | _ :: tr => three_sides (k + length tr) ++ sides k tr end.
-
-(** The side, not at a gate, that runs an edge: EB-HANDLE-4. *)
-Fixpoint closing (e : edge) (tr : list step) : option side :=
-  match tr with
-  | [] => None
-  | (_, (v, a, b)) :: tr =>
-      if edge_eq_dec e (b, v) then Some (length tr, at_right)
-      else if edge_eq_dec e (v, a) then Some (length tr, at_left)
-      else closing e tr
-  end.
-
-(** What the decoder is told: the symbols, and at each S the side that closes its left edge, if that
-    is not a gate. *)
-Fixpoint items (tr : list step) : list (symbol * option side) :=
-  match tr with
-  | [] => []
-  | (sS, (v, a, b)) :: tr => (sS, closing (a, v) tr) :: items tr
-  | (s, _) :: tr => (s, None) :: items tr
-  end.
-
-Lemma items_length : forall tr, length (items tr) = length tr.
-Proof. induction tr as [|[[] [[v a] b]] tr IH]; cbn [items length]; congruence. Qed.
-
-Lemma sides_app : forall k tr1 tr2, sides k (tr1 ++ tr2) = sides (k + length tr2) tr1 ++ sides k tr2.
-Proof.
-  induction tr1 as [|x tr1 IH]; intros tr2; [reflexivity|].
-  cbn [app sides]; rewrite IH, app_length, <- app_assoc.
-  replace (k + (length tr1 + length tr2)) with (k + length tr2 + length tr1) by lia; reflexivity.
-Qed.
-
-Definition both (pairs : list (side * side)) : list side := flat_map (fun p => [fst p; snd p]) pairs.
-
-Lemma both_app : forall l m, both (l ++ m) = both l ++ both m.
-Proof. intros; apply flat_map_app. Qed.
-
-Lemma concat_app' : forall l m : list (list side), concat (l ++ m) = concat l ++ concat m.
-Proof. intros; apply concat_app. Qed.
-
-(** Permutations of sides by counting. *)
-Definition num_s (l : list side) (s : side) : nat := count_occ side_eq_dec l s.
-
-Lemma num_s_cons : forall d l s, num_s (d :: l) s = num_s [d] s + num_s l s.
-Proof. intros; unfold num_s; cbn [count_occ]; destruct (side_eq_dec d s); lia. Qed.
-
-Lemma num_s_app : forall l m s, num_s (l ++ m) s = num_s l s + num_s m s.
-Proof. intros; apply count_occ_app. Qed.
-
-Lemma by_num_s : forall l m, Permutation l m <-> forall s, num_s l s = num_s m s.
-Proof. intros; apply (Permutation_count_occ side_eq_dec). Qed.
-
-Ltac permute_sides :=
-  unfold three_sides in *; apply by_num_s; let s := fresh "s" in intros s;
-  repeat match goal with P : Permutation (A := nat * place) _ _ |- _ =>
-    pose proof (proj1 (by_num_s _ _) P s); clear P end;
-  repeat (progress (rewrite ?both_app, ?concat_app', ?num_s_app in *;
-                    cbn [app both concat flat_map fst snd three_sides] in *) ||
-    match goal with
-    | |- context [flat_map _ ?l] => change (flat_map _ l) with (both l)
-    | H : context [flat_map _ ?l] |- _ => change (flat_map _ l) with (both l) in H
-    | |- context [num_s (?d :: ?l) s] =>
-        lazymatch l with [] => fail | _ => rewrite (num_s_cons d l s) end
-    | H : context [num_s (?d :: ?l) s] |- _ =>
-        lazymatch l with [] => fail | _ => rewrite (num_s_cons d l s) in H end
-    end);
-  change (num_s [] s) with 0 in *; lia.
-
-(** A walk along edges, each beginning where the one before ends. *)
-Fixpoint trail (l : list edge) (x y : nat) : Prop :=
-  match l with [] => x = y | e :: l => fst e = x /\ trail l (snd e) y end.
-
-Lemma trail_app : forall l m x y, trail (l ++ m) x y <-> exists z, trail l x z /\ trail m z y.
-Proof.
-  induction l as [|e l IH]; intros m x y; cbn [app trail].
-  - split; [intros H; exists x; auto|intros (z & -> & H); exact H].
-  - rewrite IH; split; [intros (A & z & B & D); eauto|intros (z & (A & B) & D); eauto].
-Qed.
-
-Lemma edge_at_here : forall pre s f tr p, edge_at (pre ++ (s, f) :: tr) (length tr, p) = edge_of f p.
-Proof.
-  intros pre s f tr p; induction pre as [|[s' f'] pre IH]; cbn [app edge_at fst snd].
-  - rewrite Nat.eqb_refl; reflexivity.
-  - destruct (length tr =? length (pre ++ (s, f) :: tr)) eqn:E0; [|exact IH].
-    apply Nat.eqb_eq in E0; rewrite app_length in E0; cbn [length] in E0; lia.
-Qed.
 
 Section Surface.
   Variable M : list face.
@@ -122,88 +20,16 @@ Section Surface.
   Variable T : list step.
   Hypothesis NT : NoDup (edges (map snd T)).
   Let phi := edge_at T.
-
-  Lemma phi_here : forall pre s f tr p, T = pre ++ (s, f) :: tr ->
-    phi (length tr, p) = edge_of f p.
-  Proof. intros; unfold phi; subst T; apply edge_at_here. Qed.
-
-  Lemma phi_sides : forall tr1 pre tr2, T = pre ++ tr1 ++ tr2 ->
-    Permutation (map phi (sides (length tr2) tr1)) (edges (map snd tr1)).
-  Proof.
-    induction tr1 as [|[s [[v a] b]] tr1 IH]; intros pre tr2 E0; [reflexivity|].
-    cbn [sides three_sides map app].
-    assert (H := fun p => phi_here pre s (v, a, b) (tr1 ++ tr2) p E0).
-    rewrite app_length in H; rewrite (Nat.add_comm (length tr2)), !H.
-    specialize (IH (pre ++ [(s, (v, a, b))]) tr2); rewrite <- app_assoc in IH; specialize (IH E0).
-    cbn [edge_of snd]; change (edges ((v, a, b) :: map snd tr1))
-      with ((v, a) :: (a, b) :: (b, v) :: edges (map snd tr1)); permute.
-  Qed.
-
-  Lemma phi_once : NoDup (map phi (sides 0 T)).
-  Proof.
-    assert (P := phi_sides T [] [] (eq_sym (app_nil_r T))).
-    exact (Permutation_NoDup (Permutation_sym P) NT).
-  Qed.
-
-  Lemma sides_once : NoDup (sides 0 T).
-  Proof. exact (NoDup_map_inv _ _ phi_once). Qed.
-
-  Lemma phi_inj : forall s r, In s (sides 0 T) -> In r (sides 0 T) -> phi s = phi r -> s = r.
-  Proof.
-    assert (A : forall l, NoDup (map phi l) -> forall s r, In s l -> In r l -> phi s = phi r -> s = r).
-    { induction l as [|x l IH]; cbn [map]; intros N s r I J E0; [destruct I|].
-      apply NoDup_cons_iff in N; destruct N as [N1 N2].
-      destruct I as [<-|I], J as [<-|J]; auto; destruct N1.
-      - rewrite E0; apply in_map, J.
-      - rewrite <- E0; apply in_map, I. }
-    intros s r; apply A, phi_once.
-  Qed.
-
-  Lemma sides_in : forall pre tr1 tr2 s, T = pre ++ tr1 ++ tr2 -> In s (sides (length tr2) tr1) ->
-    In s (sides 0 T) /\ In (phi s) (edges (map snd tr1)).
-  Proof.
-    intros pre tr1 tr2 s E0 I; split.
-    - rewrite E0, app_assoc, sides_app, sides_app; apply in_app_iff; left; apply in_app_iff; right; exact I.
-    - apply (Permutation_in _ (phi_sides _ _ _ E0)), in_map, I.
-  Qed.
-
-  (** What comes later runs no edge that was visited. *)
-  Lemma later : forall pre tr e, T = pre ++ tr -> In e (edges (map snd tr)) ->
-    ~ In e (edges (rev (map snd pre))).
-  Proof.
-    intros pre tr e E0 I J; assert (N := NT); rewrite E0, map_app, edges_app in N.
-    apply NoDup_app_split in N; destruct N as (_ & _ & N); apply (N e); [|exact I].
-    apply (Permutation_in _ (edges_perm _ _ (Permutation_sym (Permutation_rev (map snd pre))))), J.
-  Qed.
-
-  Lemma closing_some : forall tr pre e s, T = pre ++ tr -> closing e tr = Some s ->
-    phi s = e /\ In s (sides 0 tr) /\ snd s <> at_gate.
-  Proof.
-    induction tr as [|[x [[v a] b]] tr IH]; intros pre e s E0 H; [discriminate|]; cbn [closing] in H.
-    assert (Ph := fun p => phi_here pre x (v, a, b) tr p E0); cbn [edge_of] in Ph.
-    destruct (edge_eq_dec e (b, v)) as [->|D1]; [|destruct (edge_eq_dec e (v, a)) as [->|D2]].
-    - injection H as <-; rewrite Ph; repeat split; [right; left; reflexivity|discriminate].
-    - injection H as <-; rewrite Ph; repeat split; [do 2 right; left; reflexivity|discriminate].
-    - specialize (IH (pre ++ [(x, (v, a, b))]) e s); rewrite <- app_assoc in IH.
-      destruct (IH E0 H) as (A & B & D); repeat split; auto; cbn [sides]; apply in_app_iff; auto.
-  Qed.
-
-  Lemma closing_none : forall tr e, closing e tr = None ->
-    forall x v a b, In (x, (v, a, b)) tr -> e <> (b, v) /\ e <> (v, a).
-  Proof.
-    induction tr as [|[x [[v a] b]] tr IH]; intros e H y w c d I; [destruct I|]; cbn [closing] in H.
-    destruct (edge_eq_dec e (b, v)) as [E1|D1]; [discriminate|].
-    destruct (edge_eq_dec e (v, a)) as [E2|D2]; [discriminate|].
-    destruct I as [I|I]; [injection I as <- <- <- <-; auto|exact (IH e H _ _ _ _ I)].
-  Qed.
-
-  Lemma edge_in_trace : forall (tr : list step) e, In e (edges (map snd tr)) ->
-    exists x v a b, In (x, (v, a, b)) tr /\ (e = (v, a) \/ e = (a, b) \/ e = (b, v)).
-  Proof.
-    intros tr e I; apply in_flat_map in I; destruct I as ([[v a] b] & I & J).
-    apply in_map_iff in I; destruct I as ([x f] & E0 & I); cbn in E0; subst f.
-    exists x, v, a, b; split; [exact I|]; cbn in J; intuition auto.
-  Qed.
+  Let here : forall pre s f tr p, T = pre ++ (s, f) :: tr -> phi (length tr, p) = edge_of f p
+    := phi_here T NT.
+  Let inj : forall s r, In s (sides 0 T) -> In r (sides 0 T) -> phi s = phi r -> s = r
+    := phi_inj T NT.
+  Let run_by : forall tr1 pre tr2, T = pre ++ tr1 ++ tr2 ->
+    Permutation (map phi (sides (length tr2) tr1)) (edges (map snd tr1)) := phi_sides T NT.
+  Let side_in : forall pre tr1 tr2 s, T = pre ++ tr1 ++ tr2 -> In s (sides (length tr2) tr1) ->
+    In s (sides 0 T) /\ In (phi s) (edges (map snd tr1)) := sides_in T NT.
+  Let closed_at : forall tr pre e s, T = pre ++ tr -> closing e tr = Some s ->
+    phi s = e /\ In s (sides 0 tr) /\ snd s <> at_gate := closing_some T NT.
 
   (** What was visited from one gate on, and its loops, where k symbols come after. *)
   Record branch (K : list face) (a b : nat) (tr : list step) (k : nat)
@@ -229,7 +55,7 @@ Section Surface.
     branch K a b tr1 (length tr2) g X Z G -> In s (g :: X ++ concat Z ++ both G) ->
     In s (sides 0 T) /\ In (phi s) (edges (map snd tr1)).
   Proof.
-    intros K a b tr1 tr2 g X Z G pre s E0 B I; apply (sides_in pre tr1 tr2 s E0).
+    intros K a b tr1 tr2 g X Z G pre s E0 B I; apply (side_in pre tr1 tr2 s E0).
     apply (Permutation_in _ (Permutation_sym (each_once _ _ _ _ _ _ _ _ _ B))), I.
   Qed.
 
@@ -237,7 +63,7 @@ Section Surface.
     branch K a b tr1 (length tr2) g X Z G -> NoDup (g :: X ++ concat Z ++ both G).
   Proof.
     intros K a b tr1 tr2 g X Z G pre E0 B; apply (Permutation_NoDup (each_once _ _ _ _ _ _ _ _ _ B)).
-    assert (N := sides_once); rewrite E0, app_assoc, sides_app, sides_app in N.
+    assert (N := (sides_once T NT)); rewrite E0, app_assoc, sides_app, sides_app in N.
     apply NoDup_app_split in N; destruct N as (N & _); apply NoDup_app_split in N; cbn [Nat.add] in N; tauto.
   Qed.
 
@@ -257,7 +83,7 @@ Section Surface.
     exists s, In s (g :: X ++ concat Z ++ both G) /\ phi s = e.
   Proof.
     intros K a b tr1 tr2 g X Z G pre e E0 B I.
-    apply (Permutation_in _ (Permutation_sym (phi_sides _ _ _ E0))), in_map_iff in I.
+    apply (Permutation_in _ (Permutation_sym (run_by _ _ _ E0))), in_map_iff in I.
     destruct I as (s & P & I); exists s; split; [|exact P].
     apply (Permutation_in _ (each_once _ _ _ _ _ _ _ _ _ B)), I.
   Qed.
@@ -290,8 +116,8 @@ Section Surface.
       assert (E1 := Next _ _ _ _ E0).
       assert (In_B := fun r => branch_in _ _ _ _ _ _ _ _ _ _ r E1 B).
       assert (No := branch_once _ _ _ _ _ _ _ _ _ _ E1 B).
-      assert (Lt := fun e => later _ _ e E1); rewrite map_app, edges_app in Lt.
-      assert (Ph := fun q => phi_here pre sC (v, a, b) (tr1 ++ tr2) q E0); cbn [edge_of] in Ph.
+      assert (Lt := fun e => (later T NT) _ _ e E1); rewrite map_app, edges_app in Lt.
+      assert (Ph := fun q => here pre sC (v, a, b) (tr1 ++ tr2) q E0); cbn [edge_of] in Ph.
       assert (BA := behind _ _ _ _ _ _ Go).
       destruct B as [B1 B2 B3 B4 B5 B6 B7 B8].
       assert (XE : X <> []).
@@ -328,7 +154,7 @@ Section Surface.
           destruct (In_B r IB) as [R1 R2].
           apply (stay pre sC v a b (tr1 ++ tr2)); auto; intros E2.
           -- assert (r = f).
-             { apply phi_inj; auto; [|congruence].
+             { apply inj; auto; [|congruence].
                apply In_B; right; rewrite !in_app_iff; left; right; left; reflexivity. }
              subst r; clear - No I; apply NoDup_cons_iff in No; destruct No as [_ No].
              rewrite <- app_assoc in No; apply NoDup_app_split in No; destruct No as (_ & No & D).
@@ -337,7 +163,7 @@ Section Surface.
              apply in_app_iff; left; exact I.
           -- apply (Lt (b, a)); [rewrite <- E2; apply in_app_iff; left; exact R2|].
              rewrite map_app, rev_app_distr; do 3 right; exact BA.
-          -- assert (r = g) by (apply phi_inj; auto; [apply In_B; left; reflexivity|congruence]).
+          -- assert (r = g) by (apply inj; auto; [apply In_B; left; reflexivity|congruence]).
              subst r; apply NoDup_cons_iff in No; destruct No as [No _]; apply No.
              rewrite !in_app_iff in *; tauto.
         * cbn [sides]; rewrite (Nat.add_comm (length tr2)), <- app_length; fold n; permute_sides.
@@ -357,8 +183,8 @@ Section Surface.
       assert (E1 := Next _ _ _ _ E0).
       assert (In_B := fun r => branch_in _ _ _ _ _ _ _ _ _ _ r E1 B).
       assert (No := branch_once _ _ _ _ _ _ _ _ _ _ E1 B).
-      assert (Lt := fun e => later _ _ e E1); rewrite map_app, edges_app in Lt.
-      assert (Ph := fun q => phi_here pre sR (v, a, b) (tr1 ++ tr2) q E0); cbn [edge_of] in Ph.
+      assert (Lt := fun e => (later T NT) _ _ e E1); rewrite map_app, edges_app in Lt.
+      assert (Ph := fun q => here pre sR (v, a, b) (tr1 ++ tr2) q E0); cbn [edge_of] in Ph.
       assert (BA := behind _ _ _ _ _ _ Go).
       destruct B as [B1 B2 B3 B4 B5 B6 B7 B8].
       set (n := length (tr1 ++ tr2)) in *.
@@ -375,7 +201,7 @@ Section Surface.
           assert (IB : In r (g :: X ++ concat Z ++ both G)) by (right; rewrite !in_app_iff in *; tauto).
           destruct (In_B r IB) as [R1 R2].
           apply (stay pre sR v a b (tr1 ++ tr2)); auto; intros E2.
-          -- assert (r = g) by (apply phi_inj; auto; [apply In_B; left; reflexivity|congruence]).
+          -- assert (r = g) by (apply inj; auto; [apply In_B; left; reflexivity|congruence]).
              subst r; apply NoDup_cons_iff in No; destruct No as [No _]; apply No.
              rewrite !in_app_iff in *; tauto.
           -- apply (Lt (b, a)); [rewrite <- E2; apply in_app_iff; left; exact R2|].
@@ -397,8 +223,8 @@ Section Surface.
       assert (E1 := Next _ _ _ _ E0).
       assert (In_B := fun r => branch_in _ _ _ _ _ _ _ _ _ _ r E1 B).
       assert (No := branch_once _ _ _ _ _ _ _ _ _ _ E1 B).
-      assert (Lt := fun e => later _ _ e E1); rewrite map_app, edges_app in Lt.
-      assert (Ph := fun q => phi_here pre sL (v, a, b) (tr1 ++ tr2) q E0); cbn [edge_of] in Ph.
+      assert (Lt := fun e => (later T NT) _ _ e E1); rewrite map_app, edges_app in Lt.
+      assert (Ph := fun q => here pre sL (v, a, b) (tr1 ++ tr2) q E0); cbn [edge_of] in Ph.
       assert (BA := behind _ _ _ _ _ _ Go).
       destruct B as [B1 B2 B3 B4 B5 B6 B7 B8].
       set (n := length (tr1 ++ tr2)) in *.
@@ -422,7 +248,7 @@ Section Surface.
              rewrite map_app, rev_app_distr; do 3 right; exact Yb.
           -- apply (Lt (b, a)); [rewrite <- E2; apply in_app_iff; left; exact R2|].
              rewrite map_app, rev_app_distr; do 3 right; exact BA.
-          -- assert (r = g) by (apply phi_inj; auto; [apply In_B; left; reflexivity|congruence]).
+          -- assert (r = g) by (apply inj; auto; [apply In_B; left; reflexivity|congruence]).
              subst r; apply NoDup_cons_iff in No; destruct No as [No _]; apply No.
              rewrite !in_app_iff in *; tauto.
         * cbn [sides]; rewrite (Nat.add_comm (length tr2)), <- app_length; fold n; permute_sides.
@@ -443,9 +269,9 @@ Section Surface.
       assert (No := branch_once _ _ _ _ _ _ _ _ _ _ E1 B).
       assert (Lt : forall e, In e (edges (map snd tr1)) \/ In e (edges (map snd tr')) ->
         ~ In e (edges ((v, a, b) :: rev (map snd pre)))).
-      { intros e I; rewrite (Rev pre sS); apply (later _ _ e E1); rewrite map_app, edges_app.
+      { intros e I; rewrite (Rev pre sS); apply ((later T NT) _ _ e E1); rewrite map_app, edges_app.
         apply in_app_iff, I. }
-      assert (Ph := fun q => phi_here pre sS (v, a, b) (tr1 ++ tr') q E0); cbn [edge_of] in Ph.
+      assert (Ph := fun q => here pre sS (v, a, b) (tr1 ++ tr') q E0); cbn [edge_of] in Ph.
       assert (BA := behind _ _ _ _ _ _ Go).
       assert (Partner := fun q => partner _ _ _ _ _ _ _ _ _ q B).
       assert (Cover := fun e I => branch_cover _ _ _ _ _ _ _ _ _ _ e E1 B I).
@@ -459,7 +285,7 @@ Section Surface.
         destruct (In_B r IB) as [R1 R2].
         apply (stay pre sS v a b (tr1 ++ tr')); auto; intros E2.
         - apply (Lt (b, a)); [left; rewrite <- E2; exact R2|do 3 right; exact BA].
-        - apply (Gx r I), phi_inj; auto; [apply In_B; left; reflexivity|congruence]. }
+        - apply (Gx r I), inj; auto; [apply In_B; left; reflexivity|congruence]. }
       set (n := length (tr1 ++ tr')) in *.
       assert (Lg : length tr1 + length tr' = n) by (unfold n; rewrite app_length; reflexivity).
       inversion Gr' as [|K' e st' tr2 m2 J Gr2|K' a' b' st' tr2 tr3 g2 X2 Z2 G2 m2 C Gr2]; subst.
@@ -474,11 +300,11 @@ Section Surface.
             destruct (closing_none _ _ Cl x w c d ltac:(apply in_app_iff; auto)) as [D1 D2].
             destruct D as [D|[D|D]]; try congruence; injection D as -> ->.
             destruct (B8 _ _ _ _ I) as [D|D]; [congruence|contradiction]. }
-        destruct (closing_some _ _ _ _ E1 Cl) as (C1 & C2 & C3).
+        destruct (closed_at _ _ _ _ E1 Cl) as (C1 & C2 & C3).
         assert (Ie : In e' (X ++ concat Z)).
         { destruct (Cover _ Av) as (s0 & I0 & P0); destruct (In_B s0 I0) as [R1 _].
           assert (e' = s0) as ->.
-          { apply phi_inj; [|exact R1|congruence].
+          { apply inj; [|exact R1|congruence].
             rewrite E1, sides_app; apply in_app_iff; right; exact C2. }
           destruct I0 as [<-|I0]; [contradiction|].
           rewrite !in_app_iff in *; destruct I0 as [I0|[I0|I0]]; auto.
@@ -503,7 +329,7 @@ Section Surface.
              ++ intros r I; apply Stay.
                 ** cbn [concat] in I; rewrite !in_app_iff in *; cbn [In]; tauto.
                 ** intros E2; assert (r = e').
-                   { apply phi_inj; [| |congruence]; apply In_B; right; cbn [concat] in I;
+                   { apply inj; [| |congruence]; apply In_B; right; cbn [concat] in I;
                        rewrite !in_app_iff in *; cbn [In]; tauto. }
                    subst r; apply NoDup_cons_iff in No; destruct No as [_ No].
                    rewrite <- app_assoc in No; cbn [app] in No; apply NoDup_remove_2 in No; apply No.
@@ -536,7 +362,7 @@ Section Surface.
              ++ intros r I; apply Stay.
                 ** rewrite !concat_app', !in_app_iff in *; cbn [concat]; rewrite !in_app_iff; cbn [In]; tauto.
                 ** intros E2; assert (r = e').
-                   { apply phi_inj; [| |congruence]; apply In_B; right;
+                   { apply inj; [| |congruence]; apply In_B; right;
                        rewrite !concat_app', !in_app_iff in *; cbn [concat]; rewrite !in_app_iff; cbn [In]; tauto. }
                    subst r; clear - No I; apply NoDup_cons_iff in No; destruct No as [_ No].
                    apply (proj1 (NoDup_count_occ side_eq_dec _)) with (x := e') in No.
@@ -558,16 +384,16 @@ Section Surface.
         assert (In_C := fun r => branch_in _ _ _ _ _ _ _ _ _ _ r E2 C).
         assert (NoC := branch_once _ _ _ _ _ _ _ _ _ _ E2 C).
         assert (Lt2 : forall e, In e (edges (map snd tr2)) -> ~ In e (edges (map snd tr1))).
-        { intros e I J; apply (later _ (tr2 ++ tr3) e E2); [rewrite map_app, edges_app; apply in_app_iff; auto|].
+        { intros e I J; apply ((later T NT) _ (tr2 ++ tr3) e E2); [rewrite map_app, edges_app; apply in_app_iff; auto|].
           rewrite map_app, rev_app_distr, edges_app; apply in_app_iff; left.
           apply (Permutation_in _ (edges_perm _ _ (Permutation_rev (map snd tr1)))), J. }
         destruct C as [C1 C2 C3 C4 C5 C6 C7 C8].
         assert (Ig2 : In (a, v) (edges (map snd tr2))) by (rewrite <- C1; apply In_C; left; reflexivity).
         assert (Cl : closing (a, v) (tr1 ++ tr2 ++ tr3) = None).
         { destruct (closing (a, v) (tr1 ++ tr2 ++ tr3)) as [e'|] eqn:Cl; [exfalso|reflexivity].
-          destruct (closing_some _ _ _ _ E1 Cl) as (D1 & D2 & D3).
+          destruct (closed_at _ _ _ _ E1 Cl) as (D1 & D2 & D3).
           assert (e' = g2) as ->; [|contradiction].
-          apply phi_inj; [|apply In_C; left; reflexivity|congruence].
+          apply inj; [|apply In_C; left; reflexivity|congruence].
           rewrite E1, sides_app; apply in_app_iff; right; exact D2. }
         assert (Stay2 : forall r, In r (X2 ++ concat Z2) -> In (flip (phi r)) (edges (rev (map snd pre)))).
         { intros r I; assert (IC : In r (g2 :: X2 ++ concat Z2 ++ both G2)) by (right; rewrite !in_app_iff in *; tauto).
@@ -588,7 +414,7 @@ Section Surface.
               * destruct (Partner _ Iq) as (q' & Iq' & Pq').
                 apply (Bad (phi q')); [left; apply In_B; right; rewrite !in_app_iff; auto|exact Pq'].
           - apply (stay pre sS v a b (tr1 ++ tr2 ++ tr3)); auto; intros E3.
-            + assert (r = g2) by (apply phi_inj; auto; [apply In_C; left; reflexivity|congruence]).
+            + assert (r = g2) by (apply inj; auto; [apply In_C; left; reflexivity|congruence]).
               subst r; apply NoDup_cons_iff in NoC; destruct NoC as [NoC _]; apply NoC.
               rewrite !in_app_iff in *; tauto.
             + apply (Lt (b, a)); [right; rewrite map_app, edges_app, <- E3; apply in_app_iff; auto|].
@@ -631,7 +457,7 @@ Section Surface.
           rewrite <- !app_assoc; reflexivity.
     - (* E, the last *)
       intros K m a b v st Go H V Xb Yb Q pre E0 ->.
-      assert (Ph := fun q => phi_here pre sE (v, a, b) [] q E0); cbn [edge_of length] in Ph.
+      assert (Ph := fun q => here pre sE (v, a, b) [] q E0); cbn [edge_of length] in Ph.
       exists (State [[(0, at_gate); (0, at_right); (0, at_left)]] [] []); split; [|reflexivity].
       assert (Gr : grove (after [(sE, (v, a, b))] (rev (map snd pre))) st [] (State [] [] [])).
       { clear - Q; induction st as [|e st IH]; [constructor|apply grove_pass].
@@ -651,7 +477,7 @@ Section Surface.
     - (* E *)
       intros K m a b v passed a' b' rest tr p Go H V Xb Yb Q O G' IH pre E0 ->.
       destruct (IH _ (Next _ _ _ _ E0) (Rev _ _ _)) as (s & Gr & U).
-      assert (Ph := fun q => phi_here pre sE (v, a, b) tr q E0); cbn [edge_of] in Ph.
+      assert (Ph := fun q => here pre sE (v, a, b) tr q E0); cbn [edge_of] in Ph.
       set (n := length tr) in *.
       exists (State ([(n, at_gate); (n, at_right); (n, at_left)] :: stack s) (beside s) (glued s)); split.
       + assert (Gr2 : grove (after [(sE, (v, a, b))] (rev (map snd pre))) (passed ++ (a', b') :: rest) tr s).

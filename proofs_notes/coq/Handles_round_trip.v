@@ -8,7 +8,7 @@
     The vertices are found as EB-REVERSI-3 finds them, as classes of corners under swings. *)
 Require Import List Arith Lia Permutation Relation_Operators.
 Require Import Clers.Letters Clers.Words Clers.Meshes Clers.Discs Clers.Traversal Clers.Visited
-  Clers.Records Clers.Undoing Clers.Reversi Clers.Handles Clers.Round_trip.
+  Clers.Records Clers.Undoing Clers.Reversi Clers.Sides Clers.Handles Clers.Round_trip.
 Import ListNotations.
 Open Scope nat_scope.
 

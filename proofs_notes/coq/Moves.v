@@ -14,7 +14,8 @@ Definition join (s t : simplex) : simplex := fold_right insert t s.
 Definition apart (s t : simplex) : Prop := forall x, In x s -> ~ In x t.
 
 (** The proper subsets of a set, the empty one among them: ∂s in the sense of OPER-MOVE-1. *)
-Definition proper_subsets (s : simplex) : list simplex := filter (fun t => negb (is t s)) (subsets s).
+Definition proper_subsets (s : simplex) : list simplex :=
+  filter (fun t => negb (is t s)) (subsets s).
 
 Lemma in_join : forall s t x, In x (join s t) <-> In x s \/ In x t.
 Proof.
@@ -67,7 +68,8 @@ Proof.
   rewrite IH by (intros; apply H; right; auto); rewrite (H t) by (left; auto); lia.
 Qed.
 
-Lemma total_map : forall f (h : simplex -> simplex) L, total f (map h L) = total (fun t => f (h t)) L.
+Lemma total_map : forall f (h : simplex -> simplex) L, total f (map h L) = total (fun t => f (h t))
+  L.
 Proof. intros f h; unfold total; induction L; cbn [map fold_right]; rewrite ?IHL; auto. Qed.
 
 (** What goes and what comes have the same sum: so has the whole. *)
@@ -102,7 +104,8 @@ Qed.
 Theorem subdivision_keeps_chi : forall K K' A v L rest, proper_form A ->
   (forall t, In t L -> apart A t /\ ~ In v t) -> ~ In v A ->
   Permutation K (map (join A) L ++ rest) ->
-  Permutation K' (flat_map (fun l => map (fun t => insert v (join t l)) (proper_subsets A)) L ++ rest) ->
+  Permutation K' (flat_map (fun l => map (fun t => insert v (join t l)) (proper_subsets A)) L ++
+    rest) ->
   chi K' = chi K.
 Proof.
   intros K K' A v L rest PA DL NV P P'; apply (exchange K K' _ _ rest P P').

@@ -62,7 +62,8 @@ Inductive makes : row -> sheet -> sheet -> Prop :=
     a <> c -> ~ joined s a c -> X <> [] -> Y <> [] ->
     makes make_ekl_two s (Sheet V F ((a :: (c :: Y) ++ c :: a :: X) :: L))
 | by_gluing : forall a b X v V F L, ~ In v V ->
-    makes gluing (Sheet V F ((a :: b :: X) :: L)) (Sheet (v :: V) ([a; b; v] :: F) ((a :: v :: b :: X) :: L))
+    makes gluing (Sheet V F ((a :: b :: X) :: L))
+      (Sheet (v :: V) ([a; b; v] :: F) ((a :: v :: b :: X) :: L))
 | by_join : forall a b X c Y V F L, let s := Sheet V F ((a :: b :: X) :: (c :: Y) :: L) in
     a <> c -> b <> c -> ~ joined s a c -> Y <> [] ->
     makes join s (Sheet V ([a; b; c] :: F) ((a :: (c :: Y) ++ c :: b :: X) :: L))
@@ -93,7 +94,8 @@ Ltac reorder := unfold two_sides; cbn [app]; apply (Permutation_count_occ edge_d
 Ltac unfold_sides := unfold all_sides, sides, two_sides;
   cbn [faces loops flat_map cycle path app]; rewrite <- ?app_assoc; cbn [path app].
 
-Lemma makes_sides : forall r s s', makes r s s' -> exists N, Permutation (all_sides s') (N ++ all_sides s)
+Lemma makes_sides : forall r s s', makes r s s' ->
+  exists N, Permutation (all_sides s') (N ++ all_sides s)
   /\ match r with
      | zero_handle p => exists l, length l = p /\ NoDup l /\ 3 <= p
          /\ (forall x, In x l -> ~ In x (vertices s))

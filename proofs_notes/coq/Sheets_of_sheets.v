@@ -64,7 +64,8 @@ Proof.
     destruct I as (u & w & ->); exists (w ++ u); split.
     - destruct u as [|z u]; [rewrite app_nil_r; apply Permutation_refl|].
       unfold cycle; cbn [app]; rewrite <- !app_assoc; cbn [app].
-      rewrite (path_app u z x (w ++ [z])), (path_app w x z (u ++ [x])), Permutation_app_comm; apply Permutation_refl.
+      rewrite (path_app u z x (w ++ [z])), (path_app w x z (u ++ [x])), Permutation_app_comm;
+        apply Permutation_refl.
     - rewrite Permutation_app_comm; apply Permutation_refl. }
   intros l x y N L I; destruct (S l x y N I) as (m & P & Q).
   assert (NM : NoDup (x :: m)) by (eapply Permutation_NoDup; eauto).
@@ -117,7 +118,8 @@ Proof.
     + apply C in H; rewrite !in_app_iff; tauto.
   - apply (Permutation_NoDup (Permutation_sym P)), nodup_app; auto.
     intros [x y] H; apply HN in H; tauto.
-  - intros x y H; apply K in H; apply K; destruct H as [H|H]; [left; apply HN in H; tauto|right; auto].
+  - intros x y H; apply K in H; apply K; destruct H as [H|H]; [left; apply HN in H; tauto|right;
+      auto].
   - intros x H; apply K in H; destruct H as [H|H]; [apply HN in H; tauto|apply (G x H)].
 Qed.
 
@@ -139,7 +141,8 @@ Proof.
     - repeat constructor; cbn; intuition congruence.
     - intros x y [E|[E|[]]]; injection E as <- <-; cbn; intuition. }
   assert (FOUR : forall a b c, a <> b -> a <> c -> b <> c -> ~ run s a c -> ~ run s b c ->
-    NoDup (two_sides a c ++ two_sides b c) /\ forall x y, In (x, y) (two_sides a c ++ two_sides b c) ->
+    NoDup (two_sides a c ++ two_sides b c) /\ forall x y, In (x, y) (two_sides a c ++ two_sides b
+      c) ->
       In (y, x) (two_sides a c ++ two_sides b c) /\ x <> y /\ ~ run s x y).
   { intros a b c N0 N1 N2 N3 N4; split.
     - repeat constructor; cbn; intuition congruence.
@@ -160,7 +163,8 @@ Proof.
     + apply NoDup_rev; auto.
     + intros x I; apply D, in_rev; auto.
     + apply nodup_app; [apply NC, NoDup_rev; auto|auto|].
-      intros [x y] I; apply R in I; intros I'; destruct (cycle_one_way l y x NL L3 I) as [Z _]; auto.
+      intros [x y] I; apply R in I; intros I'; destruct (cycle_one_way l y x NL L3 I) as [Z _];
+        auto.
     + intros x y I; apply in_app_iff in I; rewrite in_app_iff, !R.
       assert (I' : In (x, y) (cycle l) \/ In (y, x) (cycle l)) by (rewrite <- (R x y); tauto).
       split; [tauto|split].
@@ -170,7 +174,8 @@ Proof.
     + intros x y I; rewrite in_app_iff, <- in_rev; left; apply in_app_iff in I; rewrite R in I.
       destruct I as [I|I]; apply cycle_in in I; cbn in I; tauto.
     + intros x I; apply in_rev in I.
-      rewrite <- cycle_fst in I; apply in_map_iff in I; destruct I as [[u w] [E I]]; cbn in E; subst u.
+      rewrite <- cycle_fst in I; apply in_map_iff in I; destruct I as [[u w] [E I]]; cbn in E;
+        subst u.
       exists w; apply in_app_iff; auto.
   - destruct H as (a & v & FA & NV & HV & ->).
     assert (a <> v) by (intros ->; apply NV, FST, FA).

@@ -104,7 +104,8 @@ Lemma sound_left : forall vis mk mk' c l, face c < T -> In (v (next c)) mk ->
 Proof.
   intros vis mk mk' c l F A I B O.
   destruct (opposite_sound M HM (prev c) l F O) as (P & Q & _ & V1 & V2).
-  rewrite V1, V2, prev_prev, next_prev, Q; repeat split; auto; try (left; reflexivity); apply I; exact A.
+  rewrite V1, V2, prev_prev, next_prev, Q; repeat split; auto; try (left; reflexivity); apply I;
+    exact A.
 Qed.
 
 (** At a new vertex or curve the left gate is guarded. *)
@@ -259,7 +260,8 @@ Proof.
   assert (V : v c < vertices M) by (apply vertex_in; auto).
   assert (SAME : In (v c) (marked s) -> sane (face c :: visited s) (marked s)).
   { intros VC; eapply sane_visit; eauto using incl_refl; try apply S. }
-  inversion MV as [r l N C BR BL|l VC BR BL|r VC BR BL|g st rec VC BR BL PP|r l VC BR BL|r l k N C BR BL];
+  inversion MV as [r l N C BR BL|l VC BR BL|r VC BR BL|g st rec VC BR BL PP|r l VC BR BL|r l k N C
+    BR BL];
     subst s'.
   - (* C *)
     assert (S' : sane (face c :: visited s) (v c :: marked s)).
@@ -285,7 +287,8 @@ Proof.
     change ((l, Some false) :: full) with ([(l, Some false)] ++ full).
     eapply ready_visit; eauto using incl_refl.
     + intros x d [X|X] OX ND; subst x.
-      * unfold behind in BR; rewrite OX in BR; apply mem_false in ND; rewrite ND in BR; discriminate.
+      * unfold behind in BR; rewrite OX in BR; apply mem_false in ND; rewrite ND in BR;
+          discriminate.
       * rewrite OL in OX; injection OX as <-; cbn; auto.
     + cbn [app sound]; split; [eapply sound_left; eauto using incl_refl|split; [congruence|]].
       eapply sound_more; [|apply incl_refl|exact U]; intros y Y; right; exact Y.

@@ -1,6 +1,7 @@
 (** * Connected oriented surfaces as corner tables
 
-    Clauses: CPLX-CORNER-1 to CPLX-CORNER-3 (corners, [next], [previous], [opposite]), CPLX-SURFACE-1
+    Clauses: CPLX-CORNER-1 to CPLX-CORNER-3 (corners, [next], [previous], [opposite]),
+    CPLX-SURFACE-1
     as far as it is needed, CPLX-COMPONENT-2 (a component has (3T + B)/2 edges), CPLX-COMPONENT-3
     (the genus).
 
@@ -52,7 +53,8 @@ Qed.
 Lemma nodup_corners : forall l, NoDup l -> NoDup (corners l).
 Proof.
   induction 1 as [|t l N _ IH]; [constructor|]; cbn.
-  assert (forall k, ~ In (t, k) (corners l)) as K by (intros k I; apply N; apply in_corners in I; exact I).
+  assert (forall k, ~ In (t, k) (corners l)) as K by (intros k I; apply N; apply in_corners in I;
+    exact I).
   repeat constructor; cbn; intuition (try discriminate); eapply K; eauto.
 Qed.
 
@@ -122,7 +124,8 @@ Record surface (M : table) : Prop := {
 
 (** ** Counts *)
 
-(** An edge is counted in its first face: where it is a border edge, or the face across comes later. *)
+(** An edge is counted in its first face: where it is a border edge, or the face across comes
+    later. *)
 Definition counted (M : table) (c : corner) : bool :=
   match opposite M c with None => true | Some d => face c <? face d end.
 Definition edges (M : table) : nat := length (filter (counted M) (all_corners M)).

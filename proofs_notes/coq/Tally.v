@@ -34,7 +34,8 @@ Definition just_created (s : state) : Prop :=
 Record tally (k : bool) (s : state) : Prop := {
   t_faces : Z.of_nat (length (visited s)) = when k 1 + size (word s);
   t_opened : Z.of_nat (opened M (visited s))
-    = when k 3 + 2 * count sC (word s) + count sL (word s) + count sR (word s) + 2 * count sS (word s);
+    = when k 3 + 2 * count sC (word s) + count sL (word s) + count sR (word s) + 2 * count sS (word
+      s);
   t_inner : Z.of_nat (length (filter (inner_vertex M) (marked s))) = when k 3 + count sC (word s);
   t_stack : count sS (word s)
     = Z.of_nat (length (stack s)) + Z.of_nat (length (records s)) + count sE (word s)
@@ -63,7 +64,8 @@ Qed.
 Lemma opened_step : forall vis mk c k full, ready M vis mk ((c, k) :: full) ->
   opened M (face c :: vis)
   = ((match behind M (face c :: vis) (next c) with Some _ => 1 | None => 0 end)
-    + (match behind M (face c :: vis) (prev c) with Some _ => 1 | None => 0 end) + opened M vis)%nat.
+    + (match behind M (face c :: vis) (prev c) with Some _ => 1 | None => 0 end) + opened M
+        vis)%nat.
 Proof.
   intros vis mk c k full [_ _ [[_ [_ [_ D]]] _]]; cbn [opened]; f_equal.
   unfold at_face; cbn [sum]; rewrite !behind_open.
@@ -111,7 +113,8 @@ Proof.
     rewrite prev_prev, V1 in Q; congruence.
 Qed.
 
-Lemma tame_snoc : forall w x, tame sE (rev w) -> match w with sC :: _ => x <> sL /\ x <> sE | _ => True end ->
+Lemma tame_snoc : forall w x, tame sE (rev w) -> match w with sC :: _ => x <> sL /\ x <> sE | _ =>
+  True end ->
   tame sE (rev (x :: w)).
 Proof.
   intros w x H G; cbn [rev]; apply tame_app; auto.
@@ -151,12 +154,14 @@ Proof.
   pose proof (opened_step _ _ _ _ _ R) as OP.
   pose proof R as [SN O U]; destruct U as [[F [A [B D]]] [_ U]].
   destruct TL as [TF TO TI TS TC TT TJ TE T1]; rewrite G in TS.
-  assert (AC : forall w, word s = sC :: w -> exists l, behind M (face c :: visited s) (prev c) = Some l).
+  assert (AC : forall w, word s = sC :: w -> exists l, behind M (face c :: visited s) (prev c) =
+    Some l).
   { intros w W; eapply after_a_c; eauto. }
   assert (FST : forall x, In (v c) (marked s) -> k = true -> exists u, rev (x :: word s) = sC :: u).
   { intros x VC K; apply first_snoc; destruct (T1 K) as [[W (t & VT & GT & IT)]|W]; auto; exfalso.
     rewrite G in GT; symmetry in GT; eapply first_is_c; eauto; rewrite <- VT; exact SN. }
-  inversion MV as [r l N C BR BL|l VC BR BL|r VC BR BL|g st rec VC BR BL PP|r l VC BR BL|r l j N C BR BL];
+  inversion MV as [r l N C BR BL|l VC BR BL|r VC BR BL|g st rec VC BR BL PP|r l VC BR BL|r l j N C
+    BR BL];
     subst s'; rewrite BR, BL in OP.
   - (* C *)
     constructor; cbn [gate stack visited marked word records];
@@ -199,24 +204,28 @@ Proof.
     + intros _; eauto.
   - (* S *)
     constructor; cbn [gate stack visited marked word records];
-      rewrite ?size_cons; cbn [count same length map snd]; try lia; auto; try discriminate; try exact I.
+      rewrite ?size_cons; cbn [count same length map snd]; try lia; auto; try discriminate;
+        try exact I.
     apply tame_snoc; auto; destruct (word s) as [|[]]; auto; split; congruence.
   - (* S that reaches a curve *)
     assert (IN : forall a, In a (whole M (v c)) -> curve M a = Some j).
     { intros a X; apply in_whole in X; destruct X as [_ X]; unfold ring in X; rewrite C in X.
       destruct (curve M a); [|discriminate]; apply Nat.eqb_eq in X; subst; auto. }
     constructor; cbn [gate stack visited marked word records];
-      rewrite ?size_cons; cbn [count same length map snd]; try lia; auto; try discriminate; try exact I.
+      rewrite ?size_cons; cbn [count same length map snd]; try lia; auto; try discriminate;
+        try exact I.
     + rewrite filter_app, app_length.
       assert (filter (inner_vertex M) (whole M (v c)) = []) as ->.
-      { assert (K : forall l, (forall a, In a l -> curve M a = Some j) -> filter (inner_vertex M) l = []).
+      { assert (K : forall l, (forall a, In a l -> curve M a = Some j) ->
+          filter (inner_vertex M) l = []).
         { clear; induction l as [|a l IH]; intros X; cbn; auto; unfold inner_vertex at 1.
           rewrite (X a) by (left; auto); apply IH; intros; apply X; right; auto. }
         apply K; exact IN. }
       cbn [length]; lia.
     + destruct TC as (rs & [RN RI] & L); exists (j :: rs); split; [split|].
       * constructor; auto; rewrite RI; intros [a [I E]]; apply N.
-        eapply mk_whole; eauto; [unfold ring; rewrite E, C; apply Nat.eqb_refl|apply vertex_in; auto].
+        eapply mk_whole; eauto; [unfold ring; rewrite E, C; apply Nat.eqb_refl|apply vertex_in;
+          auto].
       * intros i; cbn [In]; rewrite RI; split.
         -- intros [<-|[a [I E]]].
            ++ exists (v c); split; auto; apply in_app_iff; left; apply in_whole; split;

@@ -54,11 +54,13 @@ Proof.
   assert (G : exists d, opp (t, p0) = Some d).
   { destruct (opp (t, p0)) as [d|] eqn:E; eauto; destruct (NB (t, p0) L E). }
   destruct G as [d G]; unfold begin_closed.
-  constructor; cbn [gate stack visited marked word records negb when]; rewrite ?G; auto; try lia; try discriminate; try exact I.
+  constructor; cbn [gate stack visited marked word records negb when]; rewrite ?G; auto; try lia;
+    try discriminate; try exact I.
   - cbn [opened at_face sum]; rewrite !O by reflexivity; cbn; lia.
   - cbn [map at_face filter]; unfold inner_vertex; rewrite !V; cbn; lia.
   - exists []; split; [split; [constructor|]|reflexivity]; intros k; split; [intros []|].
-    intros [a [I E]]; cbn [map at_face In] in I; destruct I as [<-|[<-|[<-|[]]]]; rewrite V in E; discriminate.
+    intros [a [I E]]; cbn [map at_face In] in I; destruct I as [<-|[<-|[<-|[]]]]; rewrite V in E;
+      discriminate.
   - intros _; left; split; auto; exists t; repeat split; auto.
     cbn [map at_face In]; intros a [<-|[<-|[<-|[]]]]; eauto.
 Qed.
@@ -71,16 +73,19 @@ Proof.
   { intros a X; apply in_whole in X; destruct X as [_ X]; unfold ring in X; rewrite K1 in X.
     destruct (curve M a); [|discriminate]; apply Nat.eqb_eq in X; subst; auto. }
   unfold begin_border.
-  constructor; cbn [gate stack visited marked word records negb when]; auto; try (cbn; lia); try discriminate; try exact I.
+  constructor; cbn [gate stack visited marked word records negb when]; auto; try (cbn; lia);
+    try discriminate; try exact I.
   - assert (filter (inner_vertex M) (whole M (v (next c))) = []) as ->; [|reflexivity].
-    assert (K : forall l, (forall a, In a l -> curve M a = Some k) -> filter (inner_vertex M) l = []).
+    assert (K : forall l, (forall a, In a l -> curve M a = Some k) ->
+      filter (inner_vertex M) l = []).
     { clear; induction l as [|a l IH]; intros X; cbn; auto; unfold inner_vertex at 1.
       rewrite (X a) by (left; auto); apply IH; intros; apply X; right; auto. }
     apply K; exact W.
   - exists [k]; split; [split|reflexivity].
     + constructor; [intros []|constructor].
     + intros j; cbn [In]; split.
-      * intros [<-|[]]; exists (v (next c)); split; auto; apply in_whole; split; auto using ring_refl.
+      * intros [<-|[]]; exists (v (next c)); split; auto; apply in_whole; split;
+          auto using ring_refl.
         apply vertex_in; auto.
       * intros [a [I E]]; apply W in I; left; congruence.
 Qed.

@@ -1,6 +1,7 @@
 """Rules on the proof notes, each seen to fail on a small repository with one fault in it."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -101,6 +102,17 @@ def test_laws_that_are_there(laws: str, tmp_path: Path) -> None:
     """Clause: TOOL-PROOF-3."""
     files = edited((NOTE, "- **Laws.** `tests/test_toys.py`", f"- **Laws.** {laws}"))
     assert sentences(write(tmp_path, files)) == []
+
+
+def test_a_broken_registry_is_no_fault_of_the_notes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another rule says that it cannot be imported. Clause: TOOL-PROOF-3."""
+    monkeypatch.setattr("clers.specification.proofs.is_running", lambda of: True)
+    write(tmp_path, edited((NOTE, "`tests/test_toys.py`\n", "`two-lids`\n")))
+    assert len(sentences(tmp_path)) == 1
+    monkeypatch.setitem(sys.modules, "clers.laws", None)
+    assert sentences(tmp_path) == []
 
 
 def test_other_ways(tmp_path: Path) -> None:

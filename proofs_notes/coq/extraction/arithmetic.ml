@@ -2,9 +2,6 @@
 
 open Protocol
 
-(* The most symbols decoded: Coq's functions are not made for deep stacks. *)
-let max_symbols = 1 lsl 14
-
 (* ** Numbers between Coq and OCaml *)
 
 let rec positive n =

@@ -29,4 +29,4 @@ done
 extracted=$(sed -n 's/^Extraction "\(.*\)\.ml".*/\1/p' Extract_*.v)
 set --
 for module in $extracted; do set -- "$@" "$module.mli" "$module.ml"; done
-ocamlopt -w -a "$@" json.ml protocol.ml arithmetic.ml drive.ml -o "$program"
+ocamlopt -w -a "$@" json.ml protocol.ml arithmetic.ml words.ml drive.ml -o "$program"

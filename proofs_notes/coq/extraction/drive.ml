@@ -5,12 +5,15 @@ open Protocol
 
 (* Every operation that there is a proof for. One more is a line here, and a name in [caps]. *)
 let operations : (string * (Json.value -> answer)) list =
-  [ ("arithmetic.encode", Arithmetic.encode); ("arithmetic.decode", Arithmetic.decode) ]
+  [ ("arithmetic.encode", Arithmetic.encode);
+    ("arithmetic.decode", Arithmetic.decode);
+    ("word.encode", Words.encode);
+    ("word.decode", Words.decode) ]
 
 let caps =
   Printf.sprintf
-    {|{"handles":false,"boundaries":"none","components":false,"max_faces":0,"max_symbols":%d,"trace":[],"codes":[],"coders":["arithmetic"]}|}
-    Arithmetic.max_symbols
+    {|{"handles":false,"boundaries":"none","components":false,"max_faces":%d,"max_symbols":%d,"trace":[],"codes":[],"coders":["arithmetic"]}|}
+    max_symbols max_symbols
 
 let introduction =
   let names = "echo" :: List.map fst operations in

@@ -2,6 +2,9 @@
 
 open Json
 
+(* The most symbols decoded for a request: Coq's functions are not made for deep stacks, nor fast. *)
+let max_symbols = 4096
+
 (* What an operation comes to: ORCL-REPLY-1. Texts are JSON already. *)
 type answer =
   | Ok of string

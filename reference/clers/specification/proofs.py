@@ -12,7 +12,7 @@ from clers.specification.identity import cited_exists
 from clers.specification.links import inside
 from clers.specification.markdown import links
 from clers.specification.proof_table import as_written
-from clers.specification.registry import is_running
+from clers.specification.registry import BROKEN, is_running
 from clers.specification.repository import Repository
 from clers.specification.theorems import (
     FOLDER,
@@ -123,25 +123,30 @@ def controlled(of: Repository) -> Iterator[Finding]:
             yield Finding(RULE, path, 1, "", "has lemmas and no control")
 
 
-def _known_laws(of: Repository) -> frozenset[str]:
-    """The registry's laws, or of another repository those that its files write out."""
+def _known_laws(of: Repository) -> frozenset[str] | None:
+    """The registry's laws, or of another repository those that its files write out.
+
+    None where the registry cannot be imported, which another rule says.
+    """
     written = {law.name for module in of.modules for law in module.laws}
     if not is_running(of):
         return frozenset(written)
-    from clers.laws import ALL
-
+    try:
+        from clers.laws import ALL
+    except BROKEN:
+        return None
     return frozenset(written | {law.name for law in ALL})
 
 
-def _judge_fault(of: Repository, known: frozenset[str], judge: str) -> str | None:
+def _judge_fault(of: Repository, known: frozenset[str] | None, judge: str) -> str | None:
     if "/" not in judge:
-        return None if judge in known else f"no law is named {judge}"
+        return None if known is None or judge in known else f"no law is named {judge}"
     file = judge.partition("::")[0]
     good = file.startswith("tests/") and Path(file).suffix == ".py" and (of.root / file).is_file()
     return None if good else f"there is no test {judge}"
 
 
-def _way_fault(of: Repository, known: frozenset[str], way: Way) -> str | None:
+def _way_fault(of: Repository, known: frozenset[str] | None, way: Way) -> str | None:
     match way:
         case Coq(name):
             return _coq_fault(of, name)

@@ -10,6 +10,9 @@ from clers.specification.repository import Repository
 
 REGISTRY: Final = "reference/clers/laws.py"
 
+BROKEN: Final = (ImportError, AttributeError, NameError, SyntaxError, TypeError)
+"""What importing it raises while somebody is at work on it."""
+
 
 def is_running(of: Repository) -> bool:
     """Whether the repository read is the one this program runs from."""
@@ -25,7 +28,7 @@ def registered(of: Repository) -> Iterator[Finding]:
         return
     try:
         from clers.laws import ALL, names_given_twice
-    except (ImportError, AttributeError, NameError, SyntaxError, TypeError) as error:
+    except BROKEN as error:
         yield Finding("registry", REGISTRY, 1, "", f"cannot be imported: {error}")
         return
     known = {law.name for law in ALL}
