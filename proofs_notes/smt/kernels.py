@@ -4,7 +4,7 @@ Compiled loops compute with integers of 64 bits, which wrap without a word. Here
 clauses, that each number they compute is within. Floors are those of the clauses; `>>` of a number
 of 64 bits is the floor of a division by a power of two.
 Clauses: ARITH-NARROW-1, ARITH-DECODE-2, INFO-ENUM-6, CODE-CONTEXT-4 to CODE-CONTEXT-8,
-GEOM-PREDICT-2, GEOM-RESIDUAL-1, GEOM-CODE-1, FILE-LIMIT-1. The note: kernels.md.
+CPLX-CORNER-3, GEOM-PREDICT-2, GEOM-RESIDUAL-1, GEOM-CODE-1, FILE-LIMIT-1. The note: kernels.md.
 """
 
 import sys
@@ -22,6 +22,8 @@ SETTLED = And(
 )  # fmt: skip
 ANY = And(within(0, 4 * Q - 1, low, high), low <= high, w == high - low + 1)
 SLOT = And(0 <= a, a < b, b <= T, T <= Q)
+upper, corner, upwards = Ints("upper corner upwards")
+EDGE = (1 << 32) * upper + 2 * corner + upwards
 NO = w * (UNIT - P) / UNIT
 URN = w * zeros / (zeros + ones)
 
@@ -63,6 +65,14 @@ LEMMAS = (
     Lemma(
         "both-lots", "an urn with both kinds leaves something for each",
         (SETTLED, 1 <= zeros, 1 <= ones, zeros + ones <= Q), And(1 <= URN, URN <= w - 1),
+    ),
+    Lemma(
+        "edges-pack", "an edge in one number: its upper end, its corner and its direction",
+        (within(0, 2 * Q - 1, upper, corner), within(0, 1, upwards)),
+        And(
+            signed64(EDGE), EDGE / (1 << 32) == upper,
+            EDGE % (1 << 32) / 2 == corner, EDGE % 2 == upwards,
+        ),
     ),
     Lemma(
         "slot-stays", "a slot's probability stays one of 0 … 65535",

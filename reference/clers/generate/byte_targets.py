@@ -16,6 +16,12 @@ from clers.codes.code import Shape
 from clers.codes.registry import CODES, CodeName
 from clers.complexes.complex_text import read_complex, write_complex
 from clers.complexes.face_list import Limits
+from clers.complexes.structures.arrays import (
+    read_corner_table,
+    read_half_edges,
+    write_corner_table,
+    write_half_edges,
+)
 from clers.conformance.adapter import answered
 from clers.conformance.lines import NoMessage, object_in, reply_in, request_in, result_in
 from clers.conformance.messages import Bye
@@ -210,6 +216,16 @@ def _text(data: bytes) -> str | None:
             return None
 
 
+def _arrays(data: bytes) -> str | None:
+    """Half-edges and corner tables as JSON; what is accepted is read again when written."""
+    edges, table = read_half_edges(data), read_corner_table(data)
+    if isinstance(edges, Accepted) and read_half_edges(write_half_edges(edges.value)) != edges:
+        return "other half-edges when written"
+    if isinstance(table, Accepted) and read_corner_table(write_corner_table(table.value)) != table:
+        return "another corner table when written"
+    return None
+
+
 def _note(data: bytes) -> str | None:
     tuple(theorems(page("proofs_notes/a.md", data.decode("utf-8", "replace"))))
     return None
@@ -275,6 +291,15 @@ TARGETS: Final[Mapping[str, Target]] = {
     ),
     "text": Target(
         "scripts and complexes as text", _text, lambda: (b"attach 0; complete 1", b"0 1 2\n1 2 3\n")
+    ),
+    "arrays": Target(
+        "half-edges and corner tables as JSON",
+        _arrays,
+        lambda: (
+            b'{"vertex":[0,1,2],"opposite":[-1,-1,-1],"vertices":3}',
+            b'{"next":[1,2,0],"previous":[2,0,1],"twin":[3,4,5],"origin":[0,1,2],"face":[0,0,0],'
+            b'"of_vertex":[0,1,2],"of_face":[0]}',
+        ),
     ),
     "note": Target("heads of proof notes", _note, lambda: (b"# A\n- **Theorem.** `a`\n",)),
     "declared": Target(

@@ -7,6 +7,7 @@ import pytest
 
 from clers.complexes.corner_table import surface
 from clers.complexes.face_list import FaceList, Limits
+from clers.complexes.structures.arrays import read_corner_table
 from clers.complexes.structures.compact import (
     Level0,
     Level1,
@@ -204,6 +205,14 @@ def detail() -> str:
     answer = surface(FaceList(((0, 1, 3),), 3))
     assert isinstance(answer, Rejected)
     return answer.detail
+
+
+@pytest.mark.parametrize("content", [b"", b"{}", b'{"\xff":1}', b"[" * 100_000])
+def test_unreadable_corner_tables(content: bytes) -> None:
+    """Clause: CPLX-REFINE-3."""
+    answer = read_corner_table(content)
+    assert isinstance(answer, Rejected)
+    assert (answer.reason, answer.clause) == (Reason.UNREADABLE_FILE, Clause.CPLX_REFINE_3)
 
 
 def test_corner_tables_of_others() -> None:

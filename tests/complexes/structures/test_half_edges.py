@@ -314,6 +314,8 @@ def test_json() -> None:
         write_half_edges(MENDED).replace(b"[0,3]", b'[0,"3"]'),
         write_half_edges(MENDED).replace(b"[0,3]", b"[0,3.5]"),
         b"\xff",
+        b'{"\xff":1}',
+        b"[" * 100_000,
     ],
 )
 def test_unreadable_json(content: bytes) -> None:

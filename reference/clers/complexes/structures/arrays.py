@@ -26,7 +26,7 @@ def read_half_edges(content: bytes) -> Accepted[HalfEdges] | Rejected:
     """Half-edges from JSON, or why they are none. Clause: CPLX-HALFEDGE-17."""
     try:
         found = msgspec.json.decode(content, type=_Arrays)
-    except msgspec.DecodeError as error:
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
         return Rejected(Reason.UNREADABLE_FILE, Clause.CPLX_HALFEDGE_17, detail=str(error))
     return half_edges(
         HalfEdges(
@@ -53,7 +53,7 @@ def read_corner_table(content: bytes) -> Accepted[Surface] | Rejected:
     """A corner table from JSON, or why it is none. Clause: CPLX-REFINE-3."""
     try:
         found = msgspec.json.decode(content, type=_Corners)
-    except msgspec.DecodeError as error:
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
         return Rejected(Reason.UNREADABLE_FILE, Clause.CPLX_REFINE_3, detail=str(error))
     vertex, opposite = map(Vertex, found.vertex), map(Corner, found.opposite)
     return corner_table(corners_listed(tuple(vertex), tuple(opposite), found.vertices))
