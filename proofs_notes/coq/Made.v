@@ -5,7 +5,7 @@
     components, so it never makes a handle. *)
 
 Require Import ZArith List Lia Arith Bool Permutation Relation_Operators.
-From Clers Require Import Graph Sheets Sheets_of_sheets Euler.
+From Clers Require Import Graph Sheets Sheets_of_sheets Euler Scripts.
 Import ListNotations.
 
 (** The five that make: M STV is the 0-handle with three edges, and polygons may be among them. *)
