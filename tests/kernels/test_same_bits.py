@@ -11,12 +11,12 @@ from clers.complexes.corner_table import face_list
 from clers.complexes.topology import components
 from clers.edgebreaker.encode import encode
 from clers.kernels import COMPILED
-from clers.measure.builds import damaged, first_difference, of_meshes, random_mesh, spoilt
+from clers.oracle.builds import damaged, first_difference, of_meshes, random_mesh, spoilt
 
 
 def run(*words: str, **environment: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "clers.measure.builds", *words],
+        [sys.executable, "-m", "clers", "bench", "builds", *words],
         env={**os.environ, **environment},
         capture_output=True,
         text=True,

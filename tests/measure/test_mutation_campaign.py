@@ -117,7 +117,7 @@ def toy(tmp_path: Path) -> Path:
 
 def command(toy: Path, *options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "clers.measure.mutation", *options],
+        [sys.executable, "-m", "clers.cli.mutation", *options],
         cwd=toy, capture_output=True, text=True, check=False,
     )  # fmt: skip
 
@@ -239,7 +239,7 @@ def test_interrupted_it_reports_what_was_done(toy: Path) -> None:
         "    time.sleep(1)\n    assert small(2)\n"
     )
     begun = subprocess.Popen(
-        [sys.executable, "-m", "clers.measure.mutation", "toy.sums", "--json", "out.json"],
+        [sys.executable, "-m", "clers.cli.mutation", "toy.sums", "--json", "out.json"],
         cwd=toy, stdout=subprocess.PIPE, text=True,
     )  # fmt: skip
     end = monotonic() + 60

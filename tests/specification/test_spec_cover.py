@@ -7,10 +7,11 @@ import pytest
 from toy_repository import CLAUSES, FILES, edited, found, lock, write
 
 import clers
+from clers.cli.reading import registry_of
 from clers.specification.citation import Citation, Kind
 from clers.specification.finding import Finding
 from clers.specification.python_sites import Module, Span
-from clers.specification.registry import registered
+from clers.specification.registry import REGISTRY, registered
 from clers.specification.repository import read
 
 BOXES = "spec/01-boxes.md"
@@ -147,9 +148,22 @@ def test_law_outside_the_registry(tmp_path: Path) -> None:
     forgotten = Module(LAWS, laws=(Span(4, 8, "no-such-law"),))
     toys = replace(read(write(tmp_path)), modules=(forgotten,))
     assert list(registered(toys)) == []
-    ours = replace(toys, root=Path(clers.__file__).parents[2])
     text = "law no-such-law is not in reference/clers/laws.py"
+    ours = replace(toys, registry=("one-lid",))
     assert list(registered(ours)) == [Finding("registry", LAWS, 4, "", text)]
+    assert list(registered(replace(toys, registry=("no-such-law",)))) == []
+
+
+def test_registry_that_is_unsound(tmp_path: Path) -> None:
+    """Clause: CONV-LAW-3: a name twice, or a chapter that cannot be imported."""
+    toys = read(write(tmp_path), ("one-lid", "one-lid"))
+    twice = Finding("law-twice", REGISTRY, 1, "", "two laws are registered as one-lid")
+    assert list(registered(toys)) == [twice]
+    broken = Finding("registry", REGISTRY, 1, "", "cannot be imported: no chapter")
+    assert list(registered(replace(toys, registry="no chapter"))) == [broken]
+    here = registry_of(Path(clers.__file__).parents[2])
+    assert len(here) > 300
+    assert registry_of(tmp_path) == ()
 
 
 def test_kinds(tmp_path: Path) -> None:

@@ -5,16 +5,17 @@ from pathlib import Path
 import pytest
 
 import clers
+from clers.cli.reading import read_with_laws
 from clers.specification.check import RULES
 from clers.specification.finding import Rule
-from clers.specification.repository import Repository, read
+from clers.specification.repository import Repository
 
 ROOT = Path(clers.__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
 def repository() -> Repository:
-    return read(ROOT)
+    return read_with_laws(ROOT)
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)

@@ -2,7 +2,7 @@
 
 import typer
 
-from clers.cli import bits, codec_survey, speed
+from clers.cli import bits, builds, codec_survey, speed
 from clers.cli.meshes import AsJson
 from clers.cli.output import json, line, progress, table
 
@@ -11,6 +11,7 @@ app = typer.Typer(
 )
 app.command()(bits.bits)
 app.command()(bits.bounds)
+app.command()(builds.builds)
 app.command()(codec_survey.codecs)
 app.command()(speed.speed)
 

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from clers.cli.adapter_command import Command, words_of
+from clers.cli.adapter_command import Command, nobody, words_of
 from clers.cli.loading import taken
 from clers.cli.options import AsJson
 from clers.cli.output import Exit, json, line, note, stop
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from clers.conformance.bounds import Bounds
     from clers.conformance.cases.case import Case
     from clers.conformance.messages import Operation
-    from clers.conformance.outcome import NoProcess
     from clers.oracle.finding import Finding, Party, Shrunk
     from clers.oracle.fuzz.checks import Asker
     from clers.oracle.fuzz.replay import Replayed
@@ -80,16 +79,6 @@ def _bounds(seconds: float) -> "Bounds":
     from clers.oracle.fuzz.campaign import RESTARTS
 
     return Bounds(request=seconds, restarts=RESTARTS)
-
-
-def nobody(found: "NoProcess", *, as_json: bool) -> NoReturn:
-    """There is nobody to ask; exit 3. Clause: ORCL-FUZZ-6."""
-    if as_json:
-        json({"why": found.why, "errors": found.errors})
-    else:
-        note(found.why)
-        note(found.errors.rstrip())
-    stop(Exit.ADAPTER)
 
 
 @contextmanager

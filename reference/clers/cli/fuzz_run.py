@@ -11,7 +11,7 @@ from types import FrameType
 
 from msgspec import UnsetType
 
-from clers.cli.findings import nobody
+from clers.cli.adapter_command import nobody
 from clers.cli.output import Exit, json, line, note, progress, stop, table
 from clers.conformance.outcome import NoProcess
 from clers.conventions.result import Rejected

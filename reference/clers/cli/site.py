@@ -8,6 +8,7 @@ import typer
 
 from clers.cli.options import AsJson, Root, repository_root
 from clers.cli.output import Exit, json, line, note, progress, reject, stop
+from clers.cli.reading import is_running, read_with_laws
 
 if TYPE_CHECKING:
     from clers.site.build import Material
@@ -28,17 +29,15 @@ def _need() -> None:
 
 def _material(root: Path, *, as_json: bool) -> "Material":
     from clers.conventions.result import Rejected
+    from clers.oracle.suite.by_clause import by_clause
     from clers.site.build import Material
-    from clers.site.vectors import by_clause
-    from clers.specification.registry import is_running
-    from clers.specification.repository import read
 
-    repository = read(root)
+    repository = read_with_laws(root)
     suite = root / "corpus" / "vectors"
     vectors = by_clause(suite) if suite.is_dir() else None
     if isinstance(vectors, Rejected):
         reject(str(suite), vectors, as_json=as_json)
-    if not is_running(repository):
+    if not is_running(root):
         return Material(repository, (), vectors.value if vectors else {})
     from clers.laws import ALL
 

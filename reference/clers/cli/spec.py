@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from clers.cli.output import Exit, json, line, stop, table
+from clers.cli.reading import read_with_laws
 
 if TYPE_CHECKING:
     from clers.specification.repository import Repository
@@ -58,9 +59,8 @@ def generate(
 def check(root: Root = None, as_json: AsJson = False) -> None:
     """Find everything wrong with the specification and its citations."""
     from clers.specification.check import check as findings_of
-    from clers.specification.repository import read
 
-    repository = read(_root(root))
+    repository = read_with_laws(_root(root))
     findings = findings_of(repository)
     if as_json:
         json({"clauses": len(repository.clauses), "findings": findings})
@@ -97,11 +97,10 @@ def lock(
     from clers.specification.clause_module import replace_file
     from clers.specification.identifier import order
     from clers.specification.lock import LOCK, locked, unread, write_lock
-    from clers.specification.repository import read
 
     if bool(clauses) == every:
         raise typer.BadParameter("name clauses, or say --all")
-    repository = read(_root(root))
+    repository = read_with_laws(_root(root))
     wanted = frozenset(clauses or unread(repository.lock, repository.clauses))
     unknown = sorted(wanted - repository.ids - set(repository.lock))
     if unknown:
@@ -117,9 +116,8 @@ def lock(
 @app.command()
 def show(clause: str, root: Root = None, as_json: AsJson = False) -> None:
     """Print a clause and every place that cites it."""
-    from clers.specification.repository import read
 
-    repository = read(_root(root))
+    repository = read_with_laws(_root(root))
     found = next((text for text in repository.clauses if text.clause == clause), None)
     if found is None:
         raise typer.BadParameter(f"no such clause: {clause}")
@@ -139,9 +137,8 @@ def list_clauses(
 ) -> None:
     """List the clauses with the number of places that cite each."""
     from clers.specification.citation import Kind
-    from clers.specification.repository import read
 
-    repository = read(_root(root))
+    repository = read_with_laws(_root(root))
     chosen = [text for text in repository.clauses if chapter in (None, text.chapter)]
     if as_json:
         json(chosen)
@@ -166,12 +163,11 @@ def proofs(
     from clers.specification.clause_module import replace_file
     from clers.specification.proof_table import ids_in_words, row, spliced, summary
     from clers.specification.proofs import all_theorems, findings_of
-    from clers.specification.repository import read
     from clers.specification.theorems import README
 
     if write and check:
         raise typer.BadParameter("--write or --check, not both")
-    repository = read(_root(root))
+    repository = read_with_laws(_root(root))
     found, readme = all_theorems(repository), repository.root / README
     if write and readme.is_file():
         text = spliced(readme.read_text(encoding="utf-8"), found)

@@ -14,6 +14,7 @@ from clers.specification.identity import (
     stated_once,
     well_formed,
 )
+from clers.specification.imports import earlier_only
 from clers.specification.leave import every_may
 from clers.specification.links import indexed, resolved
 from clers.specification.numbers import as_computed
@@ -42,6 +43,7 @@ RULES: Final[tuple[Rule, ...]] = (
     as_shown,
     as_computed(VALUES),
     as_worked,
+    earlier_only,
     every_may,
     every_place,
     *PROOFS,

@@ -12,7 +12,6 @@ from clers.specification.identity import cited_exists
 from clers.specification.links import inside
 from clers.specification.markdown import links
 from clers.specification.proof_table import as_written
-from clers.specification.registry import BROKEN, is_running
 from clers.specification.repository import Repository
 from clers.specification.theorems import (
     FOLDER,
@@ -128,14 +127,10 @@ def _known_laws(of: Repository) -> frozenset[str] | None:
 
     None where the registry cannot be imported, which another rule says.
     """
-    written = {law.name for module in of.modules for law in module.laws}
-    if not is_running(of):
-        return frozenset(written)
-    try:
-        from clers.laws import ALL
-    except BROKEN:
+    if isinstance(of.registry, str):
         return None
-    return frozenset(written | {law.name for law in ALL})
+    written = (law.name for module in of.modules for law in module.laws)
+    return frozenset((*written, *of.registry))
 
 
 def _judge_fault(of: Repository, known: frozenset[str] | None, judge: str) -> str | None:

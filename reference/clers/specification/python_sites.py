@@ -34,12 +34,16 @@ class Span:
 
 @dataclass(frozen=True, slots=True)
 class Module:
-    """What one Python file says: whom it cites, the laws it writes out, why it does not parse."""
+    """What one Python file says: whom it cites, the laws it writes out, why it does not parse.
+
+    `imports` has each name that it imports, dotted, with its line, wherever in the file.
+    """
 
     path: str
     citations: tuple[Citation, ...] = ()
     laws: tuple[Span, ...] = ()
     fault: tuple[int, str] | None = None
+    imports: tuple[tuple[str, int], ...] = ()
 
 
 def read_module(path: str, source: str, kind: Kind) -> Module:
@@ -68,7 +72,7 @@ def read_module(path: str, source: str, kind: Kind) -> Module:
     ]
     found.sort(key=lambda site: site[2])
     sites = (Citation(id_, as_, path, line, _innermost(spans, line)) for id_, as_, line in found)
-    return Module(path, tuple(sites), laws)
+    return Module(path, tuple(sites), laws, imports=tuple(_imports(nodes)))
 
 
 def _nodes(tree: ast.AST) -> Iterator[tuple[ast.AST, str]]:
@@ -83,6 +87,15 @@ def _nodes(tree: ast.AST) -> Iterator[tuple[ast.AST, str]]:
             name = f"{name}.{node.name}" if name else node.name
         yield node, name
         waiting += [(child, name) for child in ast.iter_child_nodes(node)][::-1]
+
+
+def _imports(nodes: Iterable[tuple[ast.AST, str]]) -> Iterator[tuple[str, int]]:
+    """What is imported, with lines; of `from a import b` it is `a.b`. None is relative."""
+    for node, _ in nodes:
+        if isinstance(node, ast.Import):
+            yield from ((name.name, node.lineno) for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield from ((f"{node.module}.{name.name}", node.lineno) for name in node.names)
 
 
 def _law_calls(nodes: Iterable[tuple[ast.AST, str]]) -> Iterator[Span]:

@@ -22,7 +22,11 @@ _RETIRED_ITEM: Final = re.compile(rf"^- \*\*({SHAPE})\.\*\*", re.MULTILINE)
 
 @dataclass(frozen=True, slots=True)
 class Repository:
-    """What was read, nothing judged yet. `prefixes` maps a prefix to its chapter's number."""
+    """What was read, nothing judged yet. `prefixes` maps a prefix to its chapter's number.
+
+    `registry` has the names of all registered laws, or says why they cannot be had; empty if the
+    repository is not that of the running program, whose laws alone can be asked.
+    """
 
     root: Path
     pages: tuple[Page, ...]
@@ -34,6 +38,7 @@ class Repository:
     retired: frozenset[str]
     lock: Lock
     clause_module: str
+    registry: tuple[str, ...] | str = ()
 
     @property
     def ids(self) -> frozenset[str]:
@@ -109,7 +114,7 @@ def _stated(pages: Iterable[Page]) -> tuple[ClauseText | Misshapen, ...]:
     )
 
 
-def read(root: Path) -> Repository:
+def read(root: Path, registry: tuple[str, ...] | str = ()) -> Repository:
     """Read everything the checks look at; what is absent reads as empty."""
     pages, modules = _pages(root), _modules(root)
     stated = _stated(pages)
@@ -125,4 +130,5 @@ def read(root: Path) -> Repository:
         retired=frozenset(_RETIRED_ITEM.findall(_text(root, RETIRED))),
         lock=read_lock(_text(root, LOCK)),
         clause_module=_text(root, CLAUSE_MODULE),
+        registry=registry,
     )

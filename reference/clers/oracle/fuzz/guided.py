@@ -1,4 +1,4 @@
-"""Fuzzing guided by coverage, of one decoder: `python -m clers.generate.guided --help`.
+"""Fuzzing guided by coverage, of one decoder: `python -m clers.oracle.fuzz.guided --help`.
 
 Needs the package atheris, the extra `fuzz`. Kernels are run interpreted, for machine code shows no
 coverage. Exit code 0 if nothing was found; the input of a defect is printed in hexadecimal.
@@ -33,7 +33,7 @@ def fuzz(name: str, arguments: list[str]) -> NoReturn:
     import atheris
 
     with atheris.instrument_imports(include=["clers"]):
-        from clers.generate.byte_targets import TARGETS
+        from clers.oracle.fuzz.byte_targets import TARGETS
 
     target = TARGETS[name]
 
@@ -49,7 +49,7 @@ def fuzz(name: str, arguments: list[str]) -> NoReturn:
 
 def campaign(name: str, seconds: int, seed: int) -> int:
     """Fuzz one target in a process of its own, and print one line of figures."""
-    from clers.generate.byte_targets import TARGETS
+    from clers.oracle.fuzz.byte_targets import TARGETS
 
     with TemporaryDirectory() as folder:
         corpus = Path(folder, "corpus")
@@ -62,7 +62,7 @@ def campaign(name: str, seconds: int, seed: int) -> int:
             f"-artifact_prefix={folder}/found-", str(corpus),
         ]  # fmt: skip
         done = subprocess.run(
-            [sys.executable, "-m", "clers.generate.guided", *flags],
+            [sys.executable, "-m", "clers.oracle.fuzz.guided", *flags],
             env={**os.environ, CHILD: name, "CLERS_KERNELS": "interpreted"},
             capture_output=True,
             text=True,
@@ -89,7 +89,7 @@ def line(name: str, said: str, defects: int) -> str:
 
 def main() -> int:
     """Run a campaign on the targets that are named, or on all."""
-    from clers.generate.byte_targets import TARGETS
+    from clers.oracle.fuzz.byte_targets import TARGETS
 
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("targets", nargs="*", help=f"of {', '.join(TARGETS)}; else all")

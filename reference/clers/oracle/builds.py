@@ -1,4 +1,4 @@
-"""`python -m clers.measure.builds`: do compiled and interpreted kernels give the same bits?
+"""`clers bench builds`: do compiled and interpreted kernels give the same bits?
 
 Meshes are drawn and vectors answered twice: in this process with machine code, and in a second one
 with CLERS_KERNELS=interpreted. Each says of every mesh and case a hash of all that came out.
@@ -8,17 +8,14 @@ Clause: TOOL-BUILD-6.
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from hashlib import sha256
-from itertools import chain, zip_longest
+from itertools import zip_longest
 from random import Random
-from typing import Annotated
 
 import msgspec
-import typer
 
-from clers.cli.output import Exit, line, note, progress, stop
 from clers.codes.registry import CodeName
 from clers.complexes.corner_table import face_list, surface
 from clers.complexes.face_list import FaceList
@@ -33,10 +30,9 @@ from clers.generate.bounds import FIRST, go_on
 from clers.generate.kinds import random_script
 from clers.generate.uniform import uniform_sphere
 from clers.geometry.positions import Positions, Precision
-from clers.kernels import COMPILED
 from clers.operators.script import AddHandle, AddTetrahedron, OpenCurve, Operator, Relabel
 from clers.oracle.suite.answers import outcome_of
-from clers.oracle.suite.files import DEFAULT, read_suite
+from clers.oracle.suite.files import Suite
 
 Said = tuple[str, str]
 """The name of a mesh or a case, and the hash of what came out."""
@@ -109,12 +105,9 @@ def spoilt(given: FaceList, random: Random) -> Iterator[FaceList]:
     yield FaceList((*before, (a, b, other), *after), given.vertices)
 
 
-def of_vectors() -> Iterator[Said]:
-    """What the build answers to the vectors of this checkout."""
-    suite = read_suite(DEFAULT)
-    if isinstance(suite, Rejected):
-        raise SystemExit(f"{DEFAULT}: {suite.line()}")
-    for case in suite.value.cases:
+def of_vectors(suite: Suite) -> Iterator[Said]:
+    """What the build answers to the vectors of a suite."""
+    for case in suite.cases:
         yield case.id, sha256(msgspec.json.encode(outcome_of(case))).hexdigest()
 
 
@@ -131,9 +124,16 @@ def first_difference(ours: Iterable[Said], theirs: Iterable[Said]) -> tuple[int,
 @contextmanager
 def interpreted(count: int, seed: int, vectors: bool) -> Iterator[Iterator[Said]]:
     """The same from a process whose kernels are interpreted."""
-    words = ["--count", str(count), "--seed", str(seed), "--say"]
+    words = [
+        "--count",
+        str(count),
+        "--seed",
+        str(seed),
+        "--say",
+        *([] if vectors else ["--meshes"]),
+    ]
     with subprocess.Popen(
-        [sys.executable, "-m", "clers.measure.builds", *words, *([] if vectors else ["--meshes"])],
+        [sys.executable, "-m", "clers", "bench", "builds", *words],
         env={**os.environ, "CLERS_KERNELS": "interpreted"},
         stdout=subprocess.PIPE,
         text=True,
@@ -148,36 +148,3 @@ def interpreted(count: int, seed: int, vectors: bool) -> Iterator[Iterator[Said]
 def _pair(row: str) -> Said:
     name, _, said = row.strip().partition(" ")
     return name, said
-
-
-def main(
-    count: Annotated[int, typer.Option(min=0, help="So many random meshes.")] = 100,
-    seed: Annotated[int, typer.Option(help="Of the meshes.")] = 1,
-    meshes: Annotated[bool, typer.Option("--meshes", help="Leave the vectors out.")] = False,
-    say: Annotated[bool, typer.Option("--say", help="Only print this build's hashes.")] = False,
-) -> None:
-    """Compare what compiled and interpreted kernels make of random meshes and of the vectors."""
-    ours = chain(of_meshes(count, seed), () if meshes else of_vectors())
-    if say:
-        for name, said in ours:
-            line(f"{name} {said}")
-        return
-    if not COMPILED:
-        note("the kernels of this process are interpreted: there is nothing to compare")
-        stop(Exit.SELF_CHECK)
-    with interpreted(count, seed, not meshes) as theirs, progress("builds", count) as step:
-        same, differs = first_difference(_shown(ours, step), theirs)
-    if differs:
-        line(f"{differs}: the builds differ, after {same} alike [TOOL-BUILD-6]")
-        stop(Exit.NOT_CONFORMING)
-    line(f"{same} alike: {count} random meshes, seed {seed}, and {same - count} vectors")
-
-
-def _shown(said: Iterable[Said], step: Callable[[str], None]) -> Iterator[Said]:
-    for name, found in said:
-        step(name)
-        yield name, found
-
-
-if __name__ == "__main__":
-    typer.run(main)

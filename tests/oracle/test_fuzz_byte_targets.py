@@ -6,8 +6,8 @@ import pytest
 
 from clers.arithmetic.bits import Bits, pack
 from clers.conventions.result import Accepted
-from clers.generate.byte_targets import TARGETS
-from clers.generate.guided import line
+from clers.oracle.fuzz.byte_targets import TARGETS
+from clers.oracle.fuzz.guided import line
 
 
 def spoilt(data: bytes, random: Random) -> bytes:

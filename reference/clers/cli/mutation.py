@@ -1,4 +1,4 @@
-"""`python -m clers.measure.mutation clers.complexes --tests tests/complexes --sample 400`."""
+"""`python -m clers.cli.mutation clers.complexes --tests tests/complexes --sample 400`."""
 
 import os
 import signal
