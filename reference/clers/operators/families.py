@@ -24,7 +24,7 @@ from clers.operators import script_text as total_text
 from clers.operators.attachments import apply as attaching
 from clers.operators.attachments import operator as attachments
 from clers.operators.attachments import text as attachments_text
-from clers.operators.lines import read_each
+from clers.operators.lines import pieces_of, read_each, words
 from clers.operators.moves import apply as moving
 from clers.operators.moves import text as moves_text
 from clers.operators.moves.move import Move
@@ -87,7 +87,7 @@ class Stage:
 
 def read(text: str) -> Accepted[AnyScript] | Rejected:
     """The script that a text says, of the family of its first name. Clause: OPER-FAMILY-1."""
-    first = next(iter(text.replace(";", " ").split()), "")
+    first = next((words(piece)[0] for piece in pieces_of(text)), "")
     if first in ON_COMPLEXES:
         return _on_complexes(text)
     if first in GROWING:
@@ -100,7 +100,7 @@ def _on_complexes(text: str) -> Accepted[AnyScript] | Rejected:
 
 
 def _on_complex(piece: str, where: AtStep) -> Accepted[ComplexOperator] | Rejected:
-    if piece.split()[0] in moves_text.NAMES:
+    if words(piece)[0] in moves_text.NAMES:
         return moves_text.read_one(piece, where)
     return attachments_text.read_one(piece, where)
 

@@ -10,6 +10,18 @@ from clers.conventions.where import AtStep
 T = TypeVar("T")
 
 _END: Final = re.compile(r"[;\r\n]")
+_WORD: Final = re.compile(r"[^ \t]+")
+_BLANKS: Final = " \t"
+
+
+def pieces_of(text: str) -> list[str]:
+    """What stands between semicolons and line ends, if it is not empty. Clause: OPER-SCRIPT-6."""
+    return [piece for part in _END.split(text) if (piece := part.strip(_BLANKS))]
+
+
+def words(piece: str) -> list[str]:
+    """What blanks and tabs separate; no other character does. Clause: OPER-SCRIPT-6."""
+    return _WORD.findall(piece)
 
 
 def read_each(
@@ -20,7 +32,7 @@ def read_each(
     Clauses: OPER-SCRIPT-6, OPER-BUILD-5, OPER-MOVE-8, OPER-ATTACH-8, OPER-FAMILY-1.
     """
     found: list[T] = []
-    for piece in filter(None, map(str.strip, _END.split(text))):
+    for piece in pieces_of(text):
         operator = one(piece, AtStep(len(found)))
         if isinstance(operator, Rejected):
             return operator

@@ -2,7 +2,7 @@
 
 A *side* is a directed edge `(tail, head)` as a face runs it. In an oriented surface each side has
 one face, and the face across is the one that runs the side the other way. All answers are in the
-order of the faces, so that a choice by number means the same in every run.
+order of the faces, so that a choice by number means the same in every run. Clause: OPER-SCRIPT-7.
 """
 
 from collections.abc import Mapping, Sequence
@@ -22,7 +22,7 @@ def border(of: Mapping[Side, int]) -> list[Side]:
 
 
 def inner_edges(of: Mapping[Side, int]) -> list[Side]:
-    """Each edge with two faces once, as the side that runs from its lower vertex."""
+    """Each edge with two faces once, as the side from its lower vertex. Clause: OPER-SCRIPT-7."""
     return [(tail, head) for tail, head in of if tail < head and (head, tail) in of]
 
 

@@ -11,7 +11,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtStep
-from clers.operators.lines import read_each
+from clers.operators.lines import read_each, words
 from clers.operators.script import (
     AddEar,
     AddHandle,
@@ -45,6 +45,8 @@ WITH_ONE: Final[Mapping[str, Callable[[int], Operator]]] = {
     "remove-star": RemoveStar,
     "cut-edge": CutEdge,
 }
+"""The operators of one integer, by name. Clause: OPER-SCRIPT-7."""
+
 WITH_TWO: Final[Mapping[str, Callable[[int, int], Operator]]] = {
     "add-handle": AddHandle,
     "join-components": JoinComponents,
@@ -68,7 +70,7 @@ def read(text: str) -> Accepted[Script] | Rejected:
 
 
 def _operator(piece: str, where: AtStep) -> Accepted[Operator] | Rejected:
-    name, *numbers = piece.split()
+    name, *numbers = words(piece)
     if name not in WITH_NONE and name not in WITH_ONE and name not in WITH_TWO:
         return Rejected(Reason.UNKNOWN_OPERATOR, Clause.OPER_SCRIPT_6, where, name)
     bad = [number for number in numbers if not _NUMBER.fullmatch(number)]

@@ -9,7 +9,7 @@ from clers.operators.net import Triangle
 
 
 class Obstacle(StrEnum):
-    """Why an operator did nothing. Clause: OPER-SCRIPT-2."""
+    """Why an operator did nothing, as stages name it. Clauses: OPER-SCRIPT-2, OPER-FAMILY-3."""
 
     NO_CANDIDATE = "no-candidate"  # the mesh has no element of the kind asked for
     EDGE_EXISTS = "edge-exists"  # two vertices would be joined by two edges
@@ -56,7 +56,10 @@ def idle(mesh: FaceList, obstacle: Obstacle) -> Step:
 
 
 def renumbered(faces: list[Triangle], gone: set[int], vertices: int) -> list[Triangle]:
-    """Close the gaps that vertices no longer used leave in the numbering, keeping its order."""
+    """Close the gaps that vertices no longer used leave in the numbering, keeping its order.
+
+    Clause: OPER-SCRIPT-8.
+    """
     number: list[int] = []
     count = 0
     for v in range(vertices):

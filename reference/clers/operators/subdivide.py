@@ -1,10 +1,8 @@
 """Operators that leave the topology as it is: split a face or an edge, flip an edge, relabel."""
 
-from collections.abc import Callable
-from random import Random
-
 from clers.complexes.face_list import FaceList
 from clers.operators.net import Triangle, apex, edges, inner_edges, joined, sides
+from clers.operators.split_mix import shuffled, split_mix
 from clers.operators.step import Obstacle, Step, did, idle
 
 
@@ -52,22 +50,13 @@ def flip_edge(mesh: FaceList, choice: int) -> Step:
 
 
 def relabel(mesh: FaceList, seed: int) -> Step:
-    """Permute vertices and faces, and turn each face, at random; seed 0 does nothing.
-
-    Clause: OPER-REFINE-4. Only `Random.random` is used: its sequence is the same in every Python.
-    """
-    if seed == 0:
+    """Permute vertices and faces, and turn each face, by a seed. Clause: OPER-REFINE-4."""
+    if seed % (1 << 64) == 0:
         return did(list(mesh.faces), mesh.vertices)
-    draw = Random(seed).random
-    number = shuffled(mesh.vertices, draw)
+    words = split_mix(seed)
+    number = shuffled(mesh.vertices, words)
     faces: list[Triangle] = []
-    for t in shuffled(len(mesh.faces), draw):
+    for t in shuffled(len(mesh.faces), words):
         a, b, c = (number[v] for v in mesh.faces[t])
-        faces.append(((a, b, c), (b, c, a), (c, a, b))[int(3 * draw())])
+        faces.append(((a, b, c), (b, c, a), (c, a, b))[next(words) % 3])
     return did(faces, mesh.vertices)
-
-
-def shuffled(count: int, draw: Callable[[], float]) -> list[int]:
-    """0 … count-1 in the order of as many random numbers."""
-    keys = [draw() for _ in range(count)]
-    return sorted(range(count), key=keys.__getitem__)

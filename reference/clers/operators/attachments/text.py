@@ -23,7 +23,7 @@ from clers.operators.attachments.operator import (
     Script,
     Undo,
 )
-from clers.operators.lines import read_each
+from clers.operators.lines import read_each, words
 
 GLUES: Final[Mapping[str, Callable[[Attachment], Constructive]]] = {
     "attach": Attach,
@@ -82,9 +82,9 @@ def read(text: str) -> Accepted[Script] | Rejected:
 
 def read_one(piece: str, where: AtStep) -> Accepted[Operator] | Rejected:
     """The operator that a piece says, or the step at fault. Clause: OPER-ATTACH-8."""
-    words = piece.split()
-    undo = words[0] == "undo"
-    name, *operands = words[undo:] or [""]
+    found = words(piece)
+    undo = found[0] == "undo"
+    name, *operands = found[undo:] or [""]
     operator = _operator(name, operands)
     if isinstance(operator, Reason):
         return Rejected(operator, Clause.OPER_ATTACH_8, where, piece[:40])
@@ -113,8 +113,8 @@ def _operator(name: str, operands: list[str]) -> Constructive | Reason:
 
 def _attachment(text: str) -> Attachment | None:
     """Simplices between slashes; None where something is no number."""
-    simplices = [part.split() for part in text.split("/")]
-    if not all(_NUMBER.fullmatch(word) for words in simplices for word in words):
+    simplices = [words(part) for part in text.split("/")]
+    if not all(_NUMBER.fullmatch(word) for simplex in simplices for word in simplex):
         return None
-    simplex, *along = (tuple(map(int, words)) for words in simplices)
+    simplex, *along = (tuple(map(int, vertices)) for vertices in simplices)
     return Attachment(simplex, tuple(along))

@@ -10,7 +10,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtStep
-from clers.operators.lines import read_each
+from clers.operators.lines import read_each, words
 from clers.operators.moves.move import (
     Bistellar,
     Collapse,
@@ -49,12 +49,12 @@ def read(text: str) -> Accepted[tuple[Move, ...]] | Rejected:
 
 def read_one(piece: str, where: AtStep) -> Accepted[Move] | Rejected:
     """The move that a piece says, or the step at fault. Clause: OPER-MOVE-8."""
-    name, *rest = piece.split(maxsplit=1)
+    name = words(piece)[0]
     if name not in NAMES:
         return Rejected(Reason.UNKNOWN_OPERATOR, Clause.OPER_MOVE_8, where, name)
     fields: list[Field] = []
-    for part in "".join(rest).split("/"):
-        simplices = [simplex.split() for simplex in part.split(",")] if part.strip() else []
+    for part in piece.removeprefix(name).split("/"):
+        simplices = [words(simplex) for simplex in part.split(",")] if words(part) else []
         numbers = [number for simplex in simplices for number in simplex]
         bad = next((number for number in numbers if not _NUMBER.fullmatch(number)), None)
         if bad is not None or [] in simplices:

@@ -12,7 +12,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtStep
-from clers.operators.lines import read_each
+from clers.operators.lines import read_each, words
 from clers.operators.sheets.operator import (
     Complete,
     Constructive,
@@ -116,7 +116,7 @@ def read(text: str) -> Accepted[Script] | Rejected:
 
 
 def _operator(piece: str, where: AtStep) -> Accepted[Operator] | Rejected:
-    name, *numbers = piece.split()
+    name, *numbers = words(piece)
     clause = Clause.OPER_BUILD_5
     if UNDONE.get(name, name) not in NAME.values():
         return Rejected(Reason.UNKNOWN_OPERATOR, clause, where, name)

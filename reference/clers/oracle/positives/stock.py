@@ -15,8 +15,8 @@ from clers.generate.bounds import FIRST, Bounds, go_on, go_on_within
 from clers.generate.irregular import irregular_sphere
 from clers.generate.kinds import ACT, GROW
 from clers.generate.uniform import uniform_sphere
-from clers.operators.script import AddHandle, AddTetrahedron, OpenCurve, Operator, Relabel
-from clers.oracle.positives.shuffled import built, shuffled
+from clers.operators.script import AddHandle, AddTetrahedron, OpenCurve, Operator
+from clers.oracle.positives.shuffled import built, in_disorder, shuffled
 
 NUMBERS: Final = ("no", "one", "two", "three", "four", "five", "six")
 
@@ -127,10 +127,10 @@ def grown(genus: int, curves: int, parts: int, faces: int, seed: int) -> Surface
     full = go_on(sized, handles + holes)
     exact = Bounds(len(full.mesh.faces) + faces, (parts, parts), (genus, genus), (curves, curves))
     acted = go_on_within(full, some(faces // 2, curves > 0), exact)
-    made = go_on(acted, [Relabel(seed + 1)])
-    if (made.totals.components, made.totals.genus, made.totals.curves) != (parts, genus, curves):
-        raise AssertionError(f"{made.totals} is not {genus}, {curves}, {parts}")
-    return built(made.mesh)
+    made = acted.totals
+    if (made.components, made.genus, made.curves) != (parts, genus, curves):
+        raise AssertionError(f"{made} is not {genus}, {curves}, {parts}")
+    return built(in_disorder(acted.mesh, seed + 1))
 
 
 def by_scripts() -> Iterator[Named]:
