@@ -18,6 +18,7 @@ from clers.container.options import Exact, InBits, OnLattice, Options, WithinErr
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Fault, Reason
 from clers.conventions.result import Accepted, Rejected
+from clers.conventions.where import AtByte
 from clers.edgebreaker.examples import ANNULUS, TORUS
 from clers.edgebreaker.examples import TETRAHEDRON as SURFACE
 from clers.geometry.mesh import Mesh
@@ -157,7 +158,8 @@ def test_more_symbols_than_the_limit() -> None:
     data = file(("HEAD", "01 01 04 04 00 05 00"), ("WORD", WORD))
     found = decode(data, FileLimits(1000, Limits(4, 4)))
     assert isinstance(found, Rejected)
-    assert (found.reason, found.clause) == (Reason.TOO_MANY_FACES, Clause.FILE_LIMIT_2)
+    told = (found.reason, found.clause, found.where)
+    assert told == (Reason.TOO_MANY_FACES, Clause.FILE_LIMIT_2, AtByte(21, "HEAD"))
 
 
 def test_positions_for_another_surface_are_not_written() -> None:

@@ -137,10 +137,11 @@ def _open(
 ) -> Accepted[Opened] | Rejected:
     if not parts or parts[0].tag != "HEAD":
         return Rejected(Reason.BAD_SECTION, Clause.FILE_SECTION_5, AtByte(9), "no HEAD")
-    head = read(HEAD, parts[0].window(data), parts[0].start)
+    window, start = parts[0].window(data), parts[0].start
+    head = read(HEAD, window, start)
     if isinstance(head, Rejected):
         return head
-    over = over_limits(head.value, limits.mesh)
+    over = over_limits(head.value, limits.mesh, window.at(start))
     if over is not None:
         return over
     wanted = tags_of(head.value)

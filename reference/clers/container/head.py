@@ -73,9 +73,8 @@ HEAD: Final[Layout[Head]] = renamed(
 """Clause: FILE-HEAD-1."""
 
 
-def over_limits(head: Head, limits: Limits) -> Rejected | None:
-    """Whether the file declares more than its reader will hold. Clause: FILE-LIMIT-2."""
-    where = AtByte(0, "HEAD")
+def over_limits(head: Head, limits: Limits, where: AtByte) -> Rejected | None:
+    """Whether the HEAD at this place declares more than a reader will hold. FILE-LIMIT-2."""
     if max(head.faces, head.symbols) > limits.faces:
         detail = f"{head.faces} faces, {head.symbols} symbols, the limit is {limits.faces}"
         return Rejected(Reason.TOO_MANY_FACES, Clause.FILE_LIMIT_2, where, detail)
