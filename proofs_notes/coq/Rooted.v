@@ -1,6 +1,6 @@
 (** The stream belongs to the rooted surface, not to its names.
 
-    EB-GRAMMAR-10, CPLX-ISO-1: if an isomorphism takes the first face of one connected closed surface
+    EB-GRAMMAR-10: if an isomorphism (CPLX-ISO-1) takes the first face of one connected closed surface
     to the first face of another, corner by corner, the two have the same stream ([same_root_same_stream]).
     With [Stream.same_stream_same_surface]: streams tell rooted surfaces apart exactly
     ([stream_is_of_rooted_surface]), and the accepted words are, one for one, the spheres with a first
