@@ -6,7 +6,7 @@ but late: so these are asked alone.
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import product
+from itertools import permutations, product
 from random import Random
 
 import pytest
@@ -175,3 +175,75 @@ def test_edges_and_faces_that_are_there_twice(faces: int) -> None:
             assert table.simple(flat, opposite, vertices) != twice, (vertex, glued)
             seen.add(twice)
     assert seen == ({False} if faces == 1 else {False, True})
+
+
+def band() -> tuple[list[tuple[str, str, str]], Glued]:
+    """A ring of ten faces on which v and w have two edges, both inside, at the middle of each fan.
+
+    Faces 0 to 2 are about v, from w to w; 3 to 5 about w, from v to v. The others are outside.
+    """
+    faces = [
+        ("v", "w", "a"), ("v", "a", "b"), ("v", "b", "w"),
+        ("w", "v", "c"), ("w", "c", "d"), ("w", "d", "v"),
+        ("e", "d", "v"), ("f", "v", "c"), ("g", "b", "w"), ("h", "w", "a"),
+    ]  # fmt: skip
+    pairs = [
+        (1, 5),
+        (4, 8),
+        (10, 14),
+        (13, 17),
+        (2, 11),
+        (7, 16),
+        (15, 18),
+        (9, 21),
+        (6, 24),
+        (0, 27),
+    ]
+    turned = [(face[0], face[2], face[1]) if i >= 6 else face for i, face in enumerate(faces)]
+    return turned, dict([*pairs, *((b, a) for a, b in pairs)])
+
+
+def renumbered(places: Sequence[int], odd: bool) -> tuple[list[int], list[int]]:
+    """The vertices and opposite corners of the band, its faces at other places, and turned.
+
+    Where it can be, v and w stand at odd corners, or at even ones.
+    """
+    faces, glued = band()
+    names = sorted({name for face in faces for name in face})
+    to: dict[int, int] = {}
+    for i, face in enumerate(faces):
+        turns = [[3 * places[i] + (k + turn) % 3 for k in range(3)] for turn in range(3)]
+        wrong = [
+            sum(name in "vw" and corner % 2 != odd for name, corner in zip(face, turn, strict=True))
+            for turn in turns
+        ]
+        to |= zip(range(3 * i, 3 * i + 3), turns[wrong.index(min(wrong))], strict=True)
+    vertex, opposite = [0] * 30, [-1] * 30
+    for corner, place in to.items():
+        vertex[place] = names.index(faces[corner // 3][corner % 3])
+        if corner in glued:
+            opposite[place] = to[glued[corner]]
+    return vertex, opposite
+
+
+@pytest.mark.parametrize("odd", [False, True])
+@pytest.mark.parametrize("outside", list(permutations((0, 2, 4, 6))))
+def test_an_edge_that_is_there_twice_far_from_the_first_corner(
+    outside: tuple[int, ...], odd: bool
+) -> None:
+    """CPLX-REJECT-6: it is seen whichever face comes first, at whichever corner."""
+    for inside in ((1, 8, 3, 5, 9, 7), (7, 9, 5, 3, 8, 1)):
+        vertex, opposite = renumbered((*inside, *outside), odd)
+        flat = vec[i64](vertex)
+        assert table.fit(flat, 10)
+        assert double(vertex, {c: d for c, d in enumerate(opposite) if d >= 0})
+        assert not table.simple(flat, vec[i64](opposite), 10)
+
+
+def test_the_band_is_glued_as_it_is_named() -> None:
+    """The vertices are those that the gluing makes."""
+    faces, glued = band()
+    vertex = named(len(faces), glued)
+    names = [name for face in faces for name in face]
+    assert len(set(zip(names, vertex, strict=True))) == len(set(names)) == len(set(vertex)) == 10
+    assert double(vertex, glued)
