@@ -277,7 +277,8 @@ End Surface.
 Theorem decode_stream_encode : forall M tr p, surface M -> connected M -> encode M = Some (tr, p) ->
   exists F, decode_stream (word_of tr) (records_of tr) = Some F /\
   let r := fun i => nth i (order M tr) 0 in
-  isomorphism r F M /\ map (renamed r) F = firstn 1 M ++ map snd tr.
+  isomorphism r F M /\ map (renamed r) F = firstn 1 M ++ map snd tr /\
+  forall x, In x (vertices F) -> x < length (order M tr).
 Proof.
   intros M tr p SM CM H.
   destruct (decoded_from_stream M tr p SM CM H) as (pairs & Gl & All & Right).
@@ -303,9 +304,7 @@ Proof.
       unfold f; cbn [renamed]; rewrite !Q; reflexivity. }
     exact (A T [] eq_refl). }
   assert (HM := proj2 (whole_is_M M tr p SM CM H)); fold T in HM.
-  split; [split|].
-  - destruct (order_once M tr p SM CM H) as [No _].
-    assert (Bd : forall x, In x (vertices (map f (rev (seq 0 (length w + 1))))) -> x < length (order M tr)).
+  assert (Bd : forall x, In x (vertices (map f (rev (seq 0 (length w + 1))))) -> x < length (order M tr)).
     { intros x I; apply in_flat_map in I; destruct I as (g & I & J).
       apply in_map_iff in I; destruct I as (i & <- & I); apply in_rev, in_seq in I.
       assert (Sd : forall q, In (i, q) (sides 0 T)).
@@ -314,6 +313,8 @@ Proof.
           destruct (Nat.eq_dec i (length t)) as [->|D]; [left; destruct q; cbn; auto|right; apply IH; lia]. }
         apply A; lia. }
       destruct J as [<-|[<-|[<-|[]]]]; apply Num, Sd. }
+  split; [split|split; [|exact Bd]].
+  - destruct (order_once M tr p SM CM H) as [No _].
     intros x y Ix Iy E0; apply (proj1 (NoDup_nth (order M tr) 0) No x y); auto.
   - intros x y z; rewrite HM, Faces; reflexivity.
   - rewrite Faces; unfold T; destruct M; [congruence|reflexivity].
