@@ -91,7 +91,8 @@ Qed.
 (** The first bits of a string are those of what it starts with. *)
 Lemma first_firstn : forall n l, first n (firstn n l) = first n l.
 Proof.
-  intros n l; assert (H : forall k, (k <= n)%nat -> first k (firstn n l) = first k l); [|apply H; lia].
+  intros n l; assert (H : forall k, (k <= n)%nat -> first k (firstn n l) = first k l); [|apply H;
+    lia].
   induction k as [|k IH]; intros K; [reflexivity|].
   cbn [first]; rewrite IH by lia; f_equal; f_equal.
   clear IH; revert k l K; induction n as [|n IHn]; intros k l K; [lia|].

@@ -148,9 +148,9 @@ Section Surface.
         * exact B3.
         * exact B4.
         * intros r I; assert (I' : In r ((X' ++ [f]) ++ concat Z)).
-          { rewrite !in_app_iff in *; tauto. }
+          { rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto. }
           assert (IB : In r (g :: (X' ++ [f]) ++ concat Z ++ both G)).
-          { right; rewrite !in_app_iff in *; tauto. }
+          { right; rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto. }
           destruct (In_B r IB) as [R1 R2].
           apply (stay pre sC v a b (tr1 ++ tr2)); auto; intros E2.
           -- assert (r = f).
@@ -165,7 +165,7 @@ Section Surface.
              rewrite map_app, rev_app_distr; do 3 right; exact BA.
           -- assert (r = g) by (apply inj; auto; [apply In_B; left; reflexivity|congruence]).
              subst r; apply NoDup_cons_iff in No; destruct No as [No _]; apply No.
-             rewrite !in_app_iff in *; tauto.
+             rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto.
         * cbn [sides]; rewrite (Nat.add_comm (length tr2)), <- app_length; fold n; permute_sides.
         * intros s r [I|[I|I]]; [injection I as <- <-|injection I as <- <-|apply B7; exact I];
             rewrite Ph; [exact B1|exact Ff].
@@ -198,12 +198,12 @@ Section Surface.
         * cbn [map trail]; rewrite Ph; split; [reflexivity|exact B3].
         * exact B4.
         * intros r [<-|I]; [rewrite Ph; exact Xb|].
-          assert (IB : In r (g :: X ++ concat Z ++ both G)) by (right; rewrite !in_app_iff in *; tauto).
+          assert (IB : In r (g :: X ++ concat Z ++ both G)) by (right; rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto).
           destruct (In_B r IB) as [R1 R2].
           apply (stay pre sR v a b (tr1 ++ tr2)); auto; intros E2.
           -- assert (r = g) by (apply inj; auto; [apply In_B; left; reflexivity|congruence]).
              subst r; apply NoDup_cons_iff in No; destruct No as [No _]; apply No.
-             rewrite !in_app_iff in *; tauto.
+             rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto.
           -- apply (Lt (b, a)); [rewrite <- E2; apply in_app_iff; left; exact R2|].
              rewrite map_app, rev_app_distr; do 3 right; exact BA.
           -- apply (Lt (v, b)); [rewrite <- E2; apply in_app_iff; left; exact R2|].
@@ -239,9 +239,9 @@ Section Surface.
           cbn [map trail]; rewrite Ph; split; reflexivity.
         * exact B4.
         * intros r I; assert (I' : r = (n, at_left) \/ In r (X ++ concat Z)).
-          { rewrite !in_app_iff in *; cbn [In] in I; intuition auto. }
+          { rewrite ?in_app_iff in I; rewrite ?in_app_iff; cbn [In] in I; intuition auto. }
           destruct I' as [->|I']; [rewrite Ph; exact Yb|].
-          assert (IB : In r (g :: X ++ concat Z ++ both G)) by (right; rewrite !in_app_iff in *; tauto).
+          assert (IB : In r (g :: X ++ concat Z ++ both G)) by (right; rewrite ?in_app_iff in I'; rewrite ?in_app_iff; tauto).
           destruct (In_B r IB) as [R1 R2].
           apply (stay pre sL v a b (tr1 ++ tr2)); auto; intros E2.
           -- apply (Lt (a, v)); [rewrite <- E2; apply in_app_iff; left; exact R2|].
@@ -250,7 +250,7 @@ Section Surface.
              rewrite map_app, rev_app_distr; do 3 right; exact BA.
           -- assert (r = g) by (apply inj; auto; [apply In_B; left; reflexivity|congruence]).
              subst r; apply NoDup_cons_iff in No; destruct No as [No _]; apply No.
-             rewrite !in_app_iff in *; tauto.
+             rewrite ?in_app_iff in I'; rewrite ?in_app_iff; tauto.
         * cbn [sides]; rewrite (Nat.add_comm (length tr2)), <- app_length; fold n; permute_sides.
         * intros s r [I|I]; [injection I as <- <-; rewrite Ph; exact B1|apply B7; exact I].
         * intros x w c d [I|I]; [injection I as <- <- <- <-; left; reflexivity|right].
@@ -278,10 +278,10 @@ Section Surface.
       destruct B as [B1 B2 B3 B4 B5 B6 B7 B8].
       assert (Gx : forall r, In r (X ++ concat Z) -> r <> g).
       { intros r I ->; apply NoDup_cons_iff in No; destruct No as [No _]; apply No.
-        rewrite !in_app_iff in *; tauto. }
+        rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto. }
       assert (Stay : forall r, In r (X ++ concat Z) -> phi r <> (a, v) ->
         In (flip (phi r)) (edges (rev (map snd pre)))).
-      { intros r I Av; assert (IB : In r (g :: X ++ concat Z ++ both G)) by (right; rewrite !in_app_iff in *; tauto).
+      { intros r I Av; assert (IB : In r (g :: X ++ concat Z ++ both G)) by (right; rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto).
         destruct (In_B r IB) as [R1 R2].
         apply (stay pre sS v a b (tr1 ++ tr')); auto; intros E2.
         - apply (Lt (b, a)); [left; rewrite <- E2; exact R2|do 3 right; exact BA].
@@ -307,7 +307,7 @@ Section Surface.
           { apply inj; [|exact R1|congruence].
             rewrite E1, sides_app; apply in_app_iff; right; exact C2. }
           destruct I0 as [<-|I0]; [contradiction|].
-          rewrite !in_app_iff in *; destruct I0 as [I0|[I0|I0]]; auto.
+          rewrite !in_app_iff in I0; rewrite ?in_app_iff; destruct I0 as [I0|[I0|I0]]; auto.
           exfalso; destruct (Partner _ I0) as (q & Iq & Pq); rewrite C1 in Pq.
           apply Va; change (v, a) with (flip (a, v)); rewrite <- Pq; apply In_B; right.
           rewrite !in_app_iff; auto. }
@@ -327,13 +327,13 @@ Section Surface.
              ++ exact T1.
              ++ intros z [<-|I]; [exists v; exact T3|exact (B4 z I)].
              ++ intros r I; apply Stay.
-                ** cbn [concat] in I; rewrite !in_app_iff in *; cbn [In]; tauto.
+                ** cbn [concat] in I; rewrite ?in_app_iff in I; rewrite ?in_app_iff; cbn [In]; tauto.
                 ** intros E2; assert (r = e').
                    { apply inj; [| |congruence]; apply In_B; right; cbn [concat] in I;
-                       rewrite !in_app_iff in *; cbn [In]; tauto. }
+                       rewrite ?in_app_iff in I; rewrite ?in_app_iff; cbn [In]; tauto. }
                    subst r; apply NoDup_cons_iff in No; destruct No as [_ No].
                    rewrite <- app_assoc in No; cbn [app] in No; apply NoDup_remove_2 in No; apply No.
-                   cbn [concat] in I; rewrite !in_app_iff in *; tauto.
+                   cbn [concat] in I; rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto.
              ++ cbn [sides]; rewrite (Nat.add_comm (length tr')), Lg; cbn [concat]; permute_sides.
              ++ intros x r [I|[I|I]]; [injection I as <- <-|injection I as <- <-|apply B7; exact I];
                   rewrite Ph; [exact B1|exact C1].
@@ -358,12 +358,12 @@ Section Surface.
              ++ reflexivity.
              ++ rewrite !map_app; apply trail_app; exists v; split; [exact B3|].
                 apply trail_app; exists c; auto.
-             ++ intros z I; apply B4; rewrite in_app_iff in *; cbn [In]; tauto.
+             ++ intros z I; apply B4; rewrite in_app_iff in I |- *; cbn [In]; tauto.
              ++ intros r I; apply Stay.
-                ** rewrite !concat_app', !in_app_iff in *; cbn [concat]; rewrite !in_app_iff; cbn [In]; tauto.
+                ** rewrite ?concat_app', ?in_app_iff in I; rewrite ?concat_app', ?in_app_iff; cbn [concat]; rewrite !in_app_iff; cbn [In]; tauto.
                 ** intros E2; assert (r = e').
                    { apply inj; [| |congruence]; apply In_B; right;
-                       rewrite !concat_app', !in_app_iff in *; cbn [concat]; rewrite !in_app_iff; cbn [In]; tauto. }
+                       rewrite ?concat_app', ?in_app_iff in I; rewrite ?concat_app', ?in_app_iff; cbn [concat]; rewrite !in_app_iff; cbn [In]; tauto. }
                    subst r; clear - No I; apply NoDup_cons_iff in No; destruct No as [_ No].
                    apply (proj1 (NoDup_count_occ side_eq_dec _)) with (x := e') in No.
                    apply (count_occ_In side_eq_dec) in I.
@@ -396,7 +396,7 @@ Section Surface.
           apply inj; [|apply In_C; left; reflexivity|congruence].
           rewrite E1, sides_app; apply in_app_iff; right; exact D2. }
         assert (Stay2 : forall r, In r (X2 ++ concat Z2) -> In (flip (phi r)) (edges (rev (map snd pre)))).
-        { intros r I; assert (IC : In r (g2 :: X2 ++ concat Z2 ++ both G2)) by (right; rewrite !in_app_iff in *; tauto).
+        { intros r I; assert (IC : In r (g2 :: X2 ++ concat Z2 ++ both G2)) by (right; rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto).
           destruct (In_C r IC) as [R1 R2].
           assert (I5 := C5 r I); apply (Permutation_in _ (edges_after tr1 _)), in_app_iff in I5.
           destruct I5 as [I5|I5].
@@ -416,7 +416,7 @@ Section Surface.
           - apply (stay pre sS v a b (tr1 ++ tr2 ++ tr3)); auto; intros E3.
             + assert (r = g2) by (apply inj; auto; [apply In_C; left; reflexivity|congruence]).
               subst r; apply NoDup_cons_iff in NoC; destruct NoC as [NoC _]; apply NoC.
-              rewrite !in_app_iff in *; tauto.
+              rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto.
             + apply (Lt (b, a)); [right; rewrite map_app, edges_app, <- E3; apply in_app_iff; auto|].
               do 3 right; exact BA.
             + apply (Lt2 (v, b)); [rewrite <- E3; exact R2|rewrite <- B1; apply In_B; left; reflexivity]. }
@@ -432,9 +432,9 @@ Section Surface.
           -- rewrite map_app; apply trail_app; exists v; auto.
           -- intros z I; apply in_app_iff in I; destruct I as [I|I]; [exact (B4 z I)|exact (C4 z I)].
           -- intros r I; rewrite concat_app' in I.
-             assert (I' : In r (X ++ concat Z) \/ In r (X2 ++ concat Z2)) by (rewrite !in_app_iff in *; tauto).
+             assert (I' : In r (X ++ concat Z) \/ In r (X2 ++ concat Z2)) by (rewrite ?in_app_iff in I; rewrite ?in_app_iff; tauto).
              destruct I' as [I'|I']; [|exact (Stay2 r I')]; apply Stay; [exact I'|]; intros E3.
-             apply (Lt2 (a, v) Ig2); rewrite <- E3; apply In_B; right; rewrite !in_app_iff in *; tauto.
+             apply (Lt2 (a, v) Ig2); rewrite <- E3; apply In_B; right; rewrite ?in_app_iff in I'; rewrite ?in_app_iff; tauto.
           -- rewrite app_length in C6, B6 || rewrite app_length in B6.
              cbn [app sides]; rewrite sides_app, app_length.
              replace (length tr3 + (length tr1 + length tr2)) with n

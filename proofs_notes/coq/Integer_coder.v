@@ -1,11 +1,12 @@
 (** The 32-bit arithmetic coder, encoder and decoder: spec/02-arithmetic.md, section 2.4.
 
     For every model whose tables are proper, adaptive or not. Proved here:
-    - the value always lies in the state, whatever the bits                  (ARITH-DECODE-2)
-    - a message is found in its bits, whatever follows them                  (ARITH-END-2, ARITH-DECODE-4)
-    - a strict reader accepts the code of a message and nothing else         (ARITH-STRICT-1)
-    - a reading is rejected only because of a table                          (ARITH-DECODE-3)
-    - no code is the beginning of another                                    (ARITH-END-2) *)
+    - the value always lies in the state, whatever the bits           (ARITH-DECODE-2)
+    - a message is found in its bits, whatever follows them           (ARITH-END-2)
+    - and the reader knows where they end                             (ARITH-DECODE-4)
+    - a strict reader accepts the code of a message and nothing else  (ARITH-STRICT-1)
+    - a reading is rejected only because of a table                   (ARITH-DECODE-3)
+    - no code is the beginning of another                             (ARITH-END-2) *)
 Require Import ZArith List Lia Bool.
 From Clers Require Import Bits Model Interval Integer_encoder Integer_decoder.
 Import ListNotations.
@@ -32,7 +33,8 @@ Section Coder.
 
   (** Up to n symbols, and the decoder after them; no code of more than [limit] bits.
       ARITH-DECODE-2, ARITH-DECODE-3, ARITH-STRICT-2. *)
-  Fixpoint read (limit index : Z) (n : nat) (m : Model) (x : receiver) : result (list Z * receiver) :=
+  Fixpoint read (limit index : Z) (n : nat) (m : Model) (x : receiver) : result (list Z * receiver)
+    :=
     match n with
     | O => accepted ([], x)
     | S k =>
@@ -161,7 +163,8 @@ Section Coder.
     ends_well x = true <-> seen l p / quarter = ending p / quarter.
   Proof.
     intros l x p (L & _ & V & _); unfold ends_well, ending; rewrite L, V, Z.eqb_eq.
-    pose proof quarter_pos; destruct (low p <? quarter); [rewrite Z.div_same|rewrite Z.div_mul]; lia.
+    pose proof quarter_pos; destruct (low p <? quarter); [rewrite Z.div_same|rewrite Z.div_mul];
+      lia.
   Qed.
 
   Lemma encode_slots : forall m ms l, encode m ms = accepted l ->
@@ -176,7 +179,8 @@ Section Coder.
   Theorem encode_rejects : forall m ms why blamed, encode m ms = rejected why blamed ->
     slots 0 m ms = rejected why blamed /\ (why = bad_table \/ why = not_in_alphabet).
   Proof.
-    unfold encode, slots; intros m ms why blamed; destruct (Model.slots _ _ _ 0 m ms) eqn:E; [discriminate|].
+    unfold encode, slots; intros m ms why blamed; destruct (Model.slots _ _ _ 0 m ms) eqn:E;
+      [discriminate|].
     intros [= <- <-]; split; [reflexivity|].
     apply faults in E as (? & ? & ? & _ & _ & _ & [[-> _]|[-> _]]); auto.
   Qed.
@@ -186,7 +190,8 @@ Section Coder.
     read limit 0 n m (receiver0 l) = accepted (ms, x) -> rlow x <= seen_value x <= rhigh x.
   Proof.
     intros l limit n m ms x G E.
-    destruct (read_sound l limit n 0 m _ start ms x G start_at_rest (start_holds l) (receiver0_follows l) E)
+    destruct (read_sound l limit n 0 m _ start ms x G start_at_rest (start_holds l)
+      (receiver0_follows l) E)
       as (ss & _ & _ & _ & H & (-> & -> & -> & _)); exact H.
   Qed.
 
@@ -196,7 +201,8 @@ Section Coder.
     taken x + 32 * Z.of_nat n + 2 <= limit ->
     read limit i n m x = rejected why blamed -> why = bad_table.
   Proof.
-    intros l limit; induction n as [|n IH]; intros i m x p why blamed F L; cbn [read]; [discriminate|].
+    intros l limit; induction n as [|n IH]; intros i m x p why blamed F L; cbn [read];
+      [discriminate|].
     destruct (quarter <? _); [congruence|]; destruct (_ =? 0); [discriminate|].
     set (s := find _ _); set (sl := Slot _ _ _).
     pose proof (receive_follows l x p sl F) as F'; pose proof (step_shifts p sl).
@@ -216,13 +222,17 @@ Section Coder.
     intros m ms n l more limit G E W L; apply encode_slots in E as (ss & E & ->).
     pose proof (slots_valid _ _ _ _ good_now good_after _ _ _ _ G E) as V.
     rewrite code_length in L by exact V.
-    destruct (read_complete (code ss ++ more) limit n 0 m _ start ms ss G start_at_rest (start_holds _)
-                (receiver0_follows _) E W (code_points_inside ss more _ V eq_refl)) as (x & R & F); [lia|].
+    destruct (read_complete (code ss ++ more) limit n 0 m _ start ms ss G start_at_rest
+      (start_holds _)
+                (receiver0_follows _) E W (code_points_inside ss more _ V eq_refl)) as (x & R & F);
+                  [lia|].
     exists x; split; [exact R|]; split.
     - destruct F as (_ & _ & _ & _ & ->); rewrite code_length by exact V; lia.
     - apply (ends_well_is _ _ _ F); pose proof quarter_pos.
-      pose proof (seen_of_code ss more _ V eq_refl) as S; pose proof (quarters_of_ending (run ss start)).
-      symmetry; apply (Z.div_unique _ _ _ (seen (code ss ++ more) (run ss start) - ending (run ss start))); lia.
+      pose proof (seen_of_code ss more _ V eq_refl) as S;
+        pose proof (quarters_of_ending (run ss start)).
+      symmetry; apply (Z.div_unique _ _ _ (seen (code ss ++ more) (run ss start) - ending (run ss
+        start))); lia.
   Qed.
 
   (** ARITH-STRICT-1: a strict reader of n symbols accepts the code of a message of n symbols (or
@@ -242,10 +252,12 @@ Section Coder.
       destruct (read_sound l _ n 0 m _ start ms' x G start_at_rest (start_holds l) F0 R)
         as (ss & E & W & _ & _ & F); split; [|exact W].
       unfold encode; rewrite E; f_equal; symmetry.
-      apply (code_by_last_quarter ss l _ (slots_valid _ _ _ _ good_now good_after _ _ _ _ G E) eq_refl).
+      apply (code_by_last_quarter ss l _ (slots_valid _ _ _ _ good_now good_after _ _ _ _ G E)
+        eq_refl).
       split; [destruct F as (_ & _ & _ & _ & T'); lia|apply (ends_well_is _ _ _ F), Z].
     - intros [E W].
-      destruct (found_whatever_follows m ms n l [] (Z.of_nat (length l)) G E W) as (x & R & T & Z); [lia|].
+      destruct (found_whatever_follows m ms n l [] (Z.of_nat (length l)) G E W) as (x & R & T & Z);
+        [lia|].
       rewrite app_nil_r in R; unfold decode; rewrite R, Z.
       apply encode_slots in E as (ss & E & ->).
       pose proof (slots_valid _ _ _ _ good_now good_after _ _ _ _ G E) as V.

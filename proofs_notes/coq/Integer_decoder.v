@@ -1,10 +1,10 @@
-(** The decoder's state of the 32-bit arithmetic coder: spec/02-arithmetic.md, section 2.4.
+(** The state of the decoder of the 32-bit arithmetic coder: spec/02-arithmetic.md, section 2.4.
 
     A decoder keeps a value in place of a base, and reads a bit with each shift. Proved here, for any
-    bits and any slots:
-    - the value is what the bits read so far write, less the base              (ARITH-DECODE-2)
-    - shifts lose nothing: the value lies in a state exactly if it did before  (ARITH-DECODE-2)
-    - a step is that of the symbol meant exactly if the search finds its slot  (ARITH-DECODE-2) *)
+    bits and any slots (ARITH-DECODE-2):
+    - the value is what the bits read so far write, less the base
+    - shifts lose nothing: the value lies in a state exactly if it did before them
+    - a step is that of the symbol meant exactly if the search finds its slot *)
 Require Import ZArith List Lia Bool.
 From Clers Require Import Bits Model Interval Integer_encoder.
 Import ListNotations.
@@ -124,7 +124,8 @@ Lemma run_holds_back : forall l ss p, at_rest p -> Forall valid ss ->
   holds l (run ss p) -> holds l p.
 Proof.
   induction ss as [|s ss IH]; intros p R V H; [exact H|].
-  inversion_clear V; rewrite fold_left_cons in H; apply IH in H; try apply step_settles; try assumption.
+  inversion_clear V; rewrite fold_left_cons in H; apply IH in H; try apply step_settles;
+    try assumption.
   eapply holds_back; eassumption.
 Qed.
 

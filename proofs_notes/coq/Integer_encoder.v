@@ -1,10 +1,11 @@
-(** The encoder of the 32-bit arithmetic coder: spec/02-arithmetic.md, ARITH-SHIFT-2 to ARITH-CARRY-1.
+(** The encoder of the 32-bit arithmetic coder: spec/02-arithmetic.md, sections 2.3 and 2.5.
 
     The encoder sends bits, and counts those that it cannot send yet. Proved here:
-    - bits sent and pending write the base of the state: they are its carry   (ARITH-CARRY-1)
-    - the code is the digits of one number, N + 2 of them for N shifts       (ARITH-CARRY-1, ARITH-END-1)
-    - whatever bits follow the code, they name a number in the last state    (ARITH-END-2)
-    - the length lies between two bounds by the probability       (ARITH-LENGTH-1, ARITH-LENGTH-2) *)
+    - bits sent and pending write the base of the state: its carry          (ARITH-CARRY-1)
+    - the code is the digits of one number                                  (ARITH-CARRY-1)
+    - there are N + 2 of them for N shifts                                  (ARITH-END-1)
+    - whatever bits follow the code, they name a number in the last state   (ARITH-END-2)
+    - the length lies between two bounds by the probability (ARITH-LENGTH-1, ARITH-LENGTH-2) *)
 Require Import ZArith List Lia Bool.
 From Clers Require Import Bits Model Interval Interval_length.
 Import ListNotations.
@@ -59,7 +60,8 @@ Proof. intros; unfold put; rewrite rev_app_distr, rev_repeat; reflexivity. Qed.
 
 Lemma value_put : forall b n l,
   value (rev (put b n l)) = 2 * power n * value (rev l) + (if b then power n else power n - 1).
-Proof. intros b n l; rewrite rev_put, value_repeat, value_snoc; destruct b; cbn [negb bit]; nia. Qed.
+Proof. intros b n l; rewrite rev_put, value_repeat, value_snoc; destruct b; cbn [negb bit];
+  nia. Qed.
 
 Lemma length_put : forall b n l, length (put b n l) = (length l + S n)%nat.
 Proof. intros; unfold put; rewrite app_length, repeat_length; cbn [length]; lia. Qed.
@@ -192,15 +194,18 @@ Theorem code_by_last_quarter : forall ss l p, Forall valid ss -> p = run ss star
   l = code ss <-> length l = (shifts p + 2)%nat /\ seen l p / quarter = ending p / quarter.
 Proof.
   intros ss l p V P; pose proof quarter_pos as Q; pose proof (quarters_of_ending p) as E.
-  pose proof (code_length ss V) as N; pose proof (code_times_quarter ss V) as C; rewrite <- P in N, C.
+  pose proof (code_length ss V) as N; pose proof (code_times_quarter ss V) as C;
+    rewrite <- P in N, C.
   split.
   - intros ->; split; [exact N|].
     pose proof (seen_of_code ss [] p V P) as S; rewrite app_nil_r in S.
     symmetry; apply (Z.div_unique _ _ _ (seen (code ss) p - ending p)); lia.
   - intros [L S]; apply value_injective; [lia|].
     unfold seen in S; replace (shifts p + 32)%nat with (30 + length l)%nat in S by lia.
-    rewrite first_beyond in S; replace (power 30) with quarter in S by (rewrite quarter_is; reflexivity).
-    replace (quarter * value l - base p) with ((value l - value (code ss)) * quarter + ending p) in S by lia.
+    rewrite first_beyond in S; replace (power 30) with quarter in S by (rewrite quarter_is;
+      reflexivity).
+    replace (quarter * value l - base p) with ((value l - value (code ss)) * quarter + ending p)
+      in S by lia.
     rewrite Z.div_add_l in S; lia.
 Qed.
 

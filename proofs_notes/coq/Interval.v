@@ -1,14 +1,14 @@
-(** The interval of the 32-bit arithmetic coder: spec/02-arithmetic.md, sections 2.3 and 2.5.
+(** The interval of the 32-bit arithmetic coder: spec/02-arithmetic.md, section 2.3.
 
-    What is proved here, for every settled state and every slot of a table of total at most 2^30:
+    Proved here, for every settled state and every slot of a table of total at most 2^30:
     - a settled state is at least 2^30 + 2 wide, and one is no wider     (ARITH-STATE-2)
     - narrowing partitions the state, and no part is empty               (ARITH-NARROW-2)
-    - 32 shifts are enough to settle, and the state stays in its range   (ARITH-SHIFT-1, ARITH-STATE-1)
+    - 32 shifts are enough to settle                                     (ARITH-SHIFT-1)
+    - no state leaves its range                                          (ARITH-STATE-1)
     - the search finds the slot that the value points into               (ARITH-DECODE-2)
-    - the number of shifts lies between two bounds by the probability    (ARITH-LENGTH-1, ARITH-LENGTH-2)
 
     The state is kept with its base (ARITH-CARRY-1): where it lies among all numbers. Which bits are
-    sent for it is the matter of Integer_coder.v. *)
+    sent for it is the matter of Integer_encoder.v. *)
 Require Import ZArith List Lia Bool.
 From Clers Require Import Model.
 Import ListNotations.
@@ -64,8 +64,10 @@ Lemma narrow_inside : forall s lo hi l h, settled lo hi -> valid s -> narrow s l
   lo <= l <= h /\ h <= hi.
 Proof.
   intros s lo hi l h S V N; rewrite narrow_by_beginnings in N; injection N as <- <-.
-  destruct V as [[B U] [W T]]; destruct (narrowing_partitions lo hi (whole s) S) as (A & Z & M); [lia|].
-  pose proof (M 0 (below s)); pose proof (M (below s) (upto s)); pose proof (M (upto s) (whole s)); lia.
+  destruct V as [[B U] [W T]]; destruct (narrowing_partitions lo hi (whole s) S) as (A & Z & M);
+    [lia|].
+  pose proof (M 0 (below s)); pose proof (M (below s) (upto s)); pose proof (M (upto s) (whole s));
+    lia.
 Qed.
 
 (** ** The search *)
@@ -120,7 +122,8 @@ Ltac cases_of_away :=
   rewrite ?Z.ltb_lt, ?Z.ltb_ge, ?Z.leb_le, ?Z.leb_gt in *.
 
 Lemma away_none : forall lo hi, within lo hi -> away lo hi = None <-> settled lo hi.
-Proof. intros lo hi; cases_of_away; unfold settled, within; split; intros; try discriminate; try reflexivity; lia || (exfalso; lia). Qed.
+Proof. intros lo hi; cases_of_away; unfold settled, within; split; intros; try discriminate;
+  try reflexivity; lia || (exfalso; lia). Qed.
 
 Lemma away_some : forall lo hi o, within lo hi -> away lo hi = Some o ->
   (o = 0 \/ o = quarter \/ o = half) /\ within (2 * (lo - o)) (2 * (hi - o) + 1).

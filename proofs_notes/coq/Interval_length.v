@@ -1,10 +1,9 @@
 (** How much the interval of the 32-bit coder shrinks: spec/02-arithmetic.md, section 2.5.
 
     Each symbol shrinks the width by its probability, but for what two floors take away; each shift
-    doubles it. Proved here, for every list of slots that a coder can meet:
-    - the number of shifts lies between two bounds by the probability    (ARITH-LENGTH-1, ARITH-LENGTH-2)
-
-    The bounds have their denominators multiplied out: all is in integers. *)
+    doubles it. Proved here, for every list of slots that a coder can meet: the number of shifts lies
+    between two bounds by the probability (ARITH-LENGTH-1, ARITH-LENGTH-2). The bounds have their
+    denominators multiplied out: all is in integers. *)
 Require Import ZArith List Lia Bool.
 From Clers Require Import Model Interval.
 Import ListNotations.
@@ -28,8 +27,10 @@ Lemma narrow_width : forall s lo hi, 1 <= whole s ->
   Z.abs ((h - l + 1) * whole s - (hi - lo + 1) * frequency s) <= whole s - 1.
 Proof.
   intros s lo hi T; unfold narrow, frequency; set (w := hi - lo + 1).
-  pose proof (Z.mul_div_le (w * below s) (whole s)); pose proof (Z.mul_succ_div_gt (w * below s) (whole s)).
-  pose proof (Z.mul_div_le (w * upto s) (whole s)); pose proof (Z.mul_succ_div_gt (w * upto s) (whole s)).
+  pose proof (Z.mul_div_le (w * below s) (whole s));
+    pose proof (Z.mul_succ_div_gt (w * below s) (whole s)).
+  pose proof (Z.mul_div_le (w * upto s) (whole s));
+    pose proof (Z.mul_succ_div_gt (w * upto s) (whole s)).
   nia.
 Qed.
 
@@ -50,7 +51,8 @@ Lemma products_positive : forall ss, Forall valid ss ->
   1 <= product least ss /\ 1 <= product wholes ss /\ 1 <= product most ss.
 Proof.
   induction 1 as [|s ss V _ IH]; cbn [product fold_right]; [lia|].
-  pose proof (factors_positive s V); fold (product least ss) (product wholes ss) (product most ss); nia.
+  pose proof (factors_positive s V); fold (product least ss) (product wholes ss) (product most ss);
+    nia.
 Qed.
 
 Lemma power_positive : forall n, 1 <= 2 ^ Z.of_nat n.
@@ -70,11 +72,14 @@ Proof.
   pose proof (power_positive (shifts r)); set (k := 2 ^ Z.of_nat (shifts r)) in *.
   assert (1 <= whole s) by (unfold valid in V; lia); specialize (N ltac:(assumption)).
   set (w := width p) in *; set (n := h - l + 1) in *; clear E; pose proof quarter_pos.
-  assert (T : (whole s - 1) * (quarter + 2) <= (whole s - 1) * w) by (apply Z.mul_le_mono_nonneg_l; lia).
+  assert (T : (whole s - 1) * (quarter + 2) <= (whole s - 1) * w) by (apply Z.mul_le_mono_nonneg_l;
+    lia).
   assert (N' : - (whole s - 1) <= n * whole s - w * frequency s <= whole s - 1) by lia.
   destruct N' as [N1 N2]; apply (Z.mul_le_mono_nonneg_r _ _ (quarter + 2)) in N1, N2; try lia.
-  assert (A : w * (frequency s * (quarter + 2) - (whole s - 1)) <= n * whole s * (quarter + 2)) by lia.
-  assert (B : n * whole s * (quarter + 2) <= w * (frequency s * (quarter + 2) + (whole s - 1))) by lia.
+  assert (A : w * (frequency s * (quarter + 2) - (whole s - 1)) <= n * whole s * (quarter + 2))
+    by lia.
+  assert (B : n * whole s * (quarter + 2) <= w * (frequency s * (quarter + 2) + (whole s - 1)))
+    by lia.
   apply (Z.mul_le_mono_nonneg_l _ _ k) in A, B; lia.
 Qed.
 
@@ -86,13 +91,17 @@ Proof.
   induction ss as [|s ss IH]; intros p R V; [cbn; lia|].
   inversion_clear V as [|? ? V0 VS].
   pose proof (step_width p s R V0) as W; specialize (IH (step p s) (step_settles p s R V0) VS).
-  rewrite fold_left_cons; cbn [product fold_right]; fold (product least ss) (product wholes ss) (product most ss).
+  rewrite fold_left_cons; cbn [product fold_right];
+    fold (product least ss) (product wholes ss) (product most ss).
   destruct (factors_positive s V0) as (P1 & P2 & P3).
   destruct (products_positive ss VS) as (PL & PW & PM).
   set (q := step p s) in *; set (r := run ss q) in *.
-  pose proof (power_positive (shifts p)); pose proof (power_positive (shifts q)); pose proof (power_positive (shifts r)).
-  set (kp := 2 ^ Z.of_nat (shifts p)) in *; set (kq := 2 ^ Z.of_nat (shifts q)) in *; set (kr := 2 ^ Z.of_nat (shifts r)) in *.
-  set (L := product least ss) in *; set (W' := product wholes ss) in *; set (M := product most ss) in *.
+  pose proof (power_positive (shifts p)); pose proof (power_positive (shifts q));
+    pose proof (power_positive (shifts r)).
+  set (kp := 2 ^ Z.of_nat (shifts p)) in *; set (kq := 2 ^ Z.of_nat (shifts q)) in *;
+    set (kr := 2 ^ Z.of_nat (shifts r)) in *.
+  set (L := product least ss) in *; set (W' := product wholes ss) in *;
+    set (M := product most ss) in *.
   (* Multiply the bounds of the step by those of the rest, and take kq away. *)
   destruct W as [W1 W2], IH as [I1 I2].
   split; apply Z.mul_le_mono_pos_l with (p := kq); try lia.
@@ -110,7 +119,8 @@ Theorem shifts_at_most : forall ss, Forall valid ss ->
 Proof.
   intros ss V; destruct (run_width ss start start_at_rest V) as [A _].
   pose proof (run_settles ss start start_at_rest V) as R; pose proof quarter_pos.
-  assert (B : width (run ss start) <= 4 * quarter) by (unfold at_rest, settled, within, width in *; lia).
+  assert (B : width (run ss start) <= 4 * quarter) by (unfold at_rest, settled, within, width in *;
+    lia).
   change (width start) with (4 * quarter) in A; change (2 ^ Z.of_nat (shifts start)) with 1 in A.
   destruct (products_positive ss V).
   nia.
@@ -121,7 +131,8 @@ Theorem shifts_at_least : forall ss, Forall valid ss ->
   product wholes ss < 4 * 2 ^ Z.of_nat (shifts (run ss start)) * product most ss.
 Proof.
   intros ss V; destruct (run_width ss start start_at_rest V) as [_ A].
-  pose proof (settled_is_wide _ _ (run_settles ss start start_at_rest V)) as R; pose proof quarter_pos.
+  pose proof (settled_is_wide _ _ (run_settles ss start start_at_rest V)) as R;
+    pose proof quarter_pos.
   change (width start) with (4 * quarter) in A; change (2 ^ Z.of_nat (shifts start)) with 1 in A.
   fold (width (run ss start)) in R.
   destruct (products_positive ss V).

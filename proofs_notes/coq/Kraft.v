@@ -1,6 +1,7 @@
 (** Kraft's inequality for codes of which none is the beginning of another.
 
-    It is what makes lengths of bits comparable with probabilities: INFO-KRAFT-1 for the prefix codes
+    It is what makes lengths of bits comparable with probabilities: INFO-KRAFT-1 for the prefix
+      codes
     of chapter 1, ARITH-LENGTH-3 for the arithmetic coder (Integer_kraft.v). Sums of 2^-L are
     multiplied by 2^n for some n that no length is over: all is in integers. *)
 Require Import ZArith List Lia Bool.
@@ -30,7 +31,8 @@ Qed.
 Lemma under_in : forall b codes r, In r (under b codes) -> In (b :: r) codes.
 Proof.
   intros b codes r H; apply in_flat_map in H as (c & C & H); destruct c as [|x c]; [contradiction|].
-  destruct (eqb x b) eqn:E; [|contradiction]; apply eqb_prop in E as ->; destruct H as [->|[]]; exact C.
+  destruct (eqb x b) eqn:E; [|contradiction]; apply eqb_prop in E as ->; destruct H as [->|[]];
+    exact C.
 Qed.
 
 Lemma under_free : forall b codes, prefix_free codes -> prefix_free (under b codes).
@@ -39,21 +41,24 @@ Proof.
   cbn [under flat_map]; fold (under b codes).
   destruct c as [|x c]; [exact IH|]; destruct (eqb x b) eqn:E; [|exact IH].
   apply eqb_prop in E as ->; constructor; [|exact IH].
-  apply Forall_forall; intros r R; apply (apart_under b), (proj1 (Forall_forall _ _) A), under_in, R.
+  apply Forall_forall; intros r R;
+    apply (apart_under b), (proj1 (Forall_forall _ _) A), under_in, R.
 Qed.
 
 Lemma mass_splits : forall n codes, ~ In [] codes ->
   mass (S n) codes = mass n (under true codes) + mass n (under false codes).
 Proof.
   intros n; induction codes as [|c codes IH]; intros N; [reflexivity|].
-  cbn [mass fold_right under flat_map]; fold (mass (S n) codes) (under true codes) (under false codes).
+  cbn [mass fold_right under flat_map];
+    fold (mass (S n) codes) (under true codes) (under false codes).
   rewrite IH by (intros I; apply N; right; exact I).
   destruct c as [|[|] c]; [exfalso; apply N; left; reflexivity|..];
     cbn [eqb app mass fold_right length Nat.sub]; unfold mass; lia.
 Qed.
 
 (** Kraft's inequality: INFO-KRAFT-1, the first half. *)
-Theorem kraft : forall n codes, prefix_free codes -> (forall c, In c codes -> (length c <= n)%nat) ->
+Theorem kraft : forall n codes, prefix_free codes -> (forall c, In c codes ->
+  (length c <= n)%nat) ->
   mass n codes <= power n.
 Proof.
   induction n as [|n IH]; intros codes F L.
@@ -71,7 +76,8 @@ Proof.
         - destruct (proj1 (Forall_forall _ _) A [] I) as [_ B]; exfalso; apply (B c); reflexivity. }
       rewrite E; cbn [mass fold_right length]; rewrite Nat.sub_0_r; lia.
     + rewrite mass_splits, power_S by exact I.
-      assert (B : forall b, mass n (under b codes) <= power n); [|pose proof (B true); pose proof (B false); lia].
+      assert (B : forall b, mass n (under b codes) <= power n); [|pose proof (B true);
+        pose proof (B false); lia].
       intros b; apply IH; [apply under_free, F|].
       intros c C; apply under_in, L in C; cbn [length] in C; lia.
 Qed.

@@ -151,7 +151,8 @@ Proof.
   induction fs as [|f fs IH]; intros s by_ N B; [cbn; repeat split; try constructor; lia|].
   inversion_clear N as [|? ? F N']; destruct s as [|s]; cbn [raise].
   - repeat split; [constructor; [lia|exact N']|cbn [sum fold_right]; lia..].
-  - destruct (IH s by_ N' B) as (A & L & S); repeat split; [constructor; assumption|cbn [length]; lia|..];
+  - destruct (IH s by_ N' B) as (A & L & S); repeat split; [constructor; assumption|cbn [length];
+      lia|..];
       unfold sum in *; cbn [fold_right]; lia.
 Qed.
 
@@ -219,7 +220,8 @@ Qed.
 Definition encode_with : learner -> list Z -> result (list bool) := encode learner now after.
 Definition decode_with : learner -> list bool -> nat -> result (list Z) := decode learner now after.
 
-(** ARITH-STRICT-1, for these models: a strict reader accepts the code of a message and nothing else. *)
+(** ARITH-STRICT-1, for these models: a strict reader accepts the code of a message and nothing
+    else. *)
 Theorem strict_with_learners : forall m k l n ms, checked m = accepted k ->
   decode_with m l n = accepted ms <->
   encode_with m ms = accepted l /\ is_whole learner now after m n ms.

@@ -3,7 +3,8 @@
     A table is its cumulative frequencies and a search in them; a symbol has a slot in a table; a
     model has a table for the next symbol and a model for what follows it. Proved here:
     - every number below the total lies in the slot of one symbol        (INFO-MODEL-1)
-    - a message has its slots exactly if no symbol is at fault           (INFO-MODEL-5, INFO-MODEL-6) *)
+    - a message has its slots exactly if no symbol is at fault           (INFO-MODEL-5,
+        INFO-MODEL-6) *)
 Require Import ZArith List Lia Bool.
 Import ListNotations.
 Open Scope Z_scope.
@@ -44,7 +45,8 @@ Record proper (t : table) : Prop := {
   found : forall x, 0 <= x < total t ->
     0 <= find t x < size t /\ cumulative t (find t x) <= x < cumulative t (find t x + 1) }.
 
-Lemma rises : forall t i j, proper t -> 0 <= i <= j -> j <= size t -> cumulative t i <= cumulative t j.
+Lemma rises : forall t i j, proper t -> 0 <= i <= j -> j <= size t ->
+  cumulative t i <= cumulative t j.
 Proof.
   intros t i j P [I J] S; replace j with (i + Z.of_nat (Z.to_nat (j - i))) in * by lia.
   clear J; induction (Z.to_nat (j - i)) as [|n IH]; [rewrite Z.add_0_r; lia|].
@@ -76,9 +78,11 @@ Proof.
   rewrite !andb_true_iff, !Z.ltb_lt, Z.leb_le in E; repeat split; lia.
 Qed.
 
-Lemma slot_valid : forall t s sl, proper t -> total t <= quarter -> slot_of t s = Some sl -> valid sl.
+Lemma slot_valid : forall t s sl, proper t -> total t <= quarter -> slot_of t s = Some sl ->
+  valid sl.
 Proof.
-  intros t s sl P Q E; apply slot_of_some in E as (S & C & ->); unfold valid; cbn [below upto whole].
+  intros t s sl P Q E; apply slot_of_some in E as (S & C & ->); unfold valid;
+    cbn [below upto whole].
   pose proof (rises t 0 s P); pose proof (rises t (s + 1) (size t) P); pose proof (from_zero t P).
   unfold total in *; lia.
 Qed.
@@ -88,7 +92,8 @@ Lemma slot_of_found : forall t x, proper t -> 0 <= x < total t ->
     Some (Slot (cumulative t (find t x)) (cumulative t (find t x + 1)) (total t)).
 Proof.
   intros t x P X; destruct (found t P x X) as [F G]; unfold slot_of.
-  rewrite (proj2 (Z.leb_le 0 _)), (proj2 (Z.ltb_lt (find t x) _)), (proj2 (Z.ltb_lt (cumulative _ _) _)) by lia.
+  rewrite (proj2 (Z.leb_le 0 _)), (proj2 (Z.ltb_lt (find t x) _)),
+    (proj2 (Z.ltb_lt (cumulative _ _) _)) by lia.
   reflexivity.
 Qed.
 
@@ -99,7 +104,8 @@ Section Model.
   Variable now : Model -> table.                (* the table of the next symbol *)
   Variable after : Model -> Z -> Model.         (* INFO-MODEL-4: what the model is after a symbol *)
 
-  (** The slots of a message, or the fault of its first faulty symbol. INFO-MODEL-5, INFO-MODEL-6. *)
+  (** The slots of a message, or the fault of its first faulty symbol. INFO-MODEL-5, INFO-MODEL-6.
+      *)
   Fixpoint slots (index : Z) (m : Model) (ms : list Z) : result (list slot) :=
     match ms with
     | [] => accepted []
@@ -155,7 +161,8 @@ Section Model.
   (** INFO-MODEL-5, INFO-MODEL-6: these are the only faults, the symbol blamed is the first that has
       one, and the larger fault is named where it has both. *)
   Theorem faults : forall ms i m why blamed, slots i m ms = rejected why blamed ->
-    exists before s rest, ms = before ++ s :: rest /\ blamed = Some (i + Z.of_nat (length before)) /\
+    exists before s rest, ms = before ++ s :: rest /\
+      blamed = Some (i + Z.of_nat (length before)) /\
       (exists ss, slots i m before = accepted ss) /\
       let t := now (then_ m before) in
       (why = bad_table /\ quarter < total t \/

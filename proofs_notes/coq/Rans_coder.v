@@ -22,7 +22,8 @@ Definition settled_state (x : Z) : Prop := bottom <= x < 256 * bottom.
 Definition begins (s : slot) : Z := quarter * below s / whole s.
 Definition has_of (s : slot) : Z := quarter * upto s / whole s - quarter * below s / whole s.
 
-Lemma stretched : forall s, valid s -> 0 <= begins s /\ 1 <= has_of s /\ begins s + has_of s <= quarter.
+Lemma stretched : forall s, valid s ->
+  0 <= begins s /\ 1 <= has_of s /\ begins s + has_of s <= quarter.
 Proof.
   intros s [[B U] [W T]]; unfold begins, has_of; pose proof quarter_pos as Q.
   assert (A : quarter * below s / whole s + 1 <= quarter * upto s / whole s).
@@ -89,7 +90,8 @@ Lemma grow_undoes : forall n f x l, 0 <= x < 256 * bottom -> exists j, (j <= n)%
 Proof.
   induction n as [|n IH]; intros f x l X; cbn [shrink state ahead]; [exists O; auto|].
   destruct (_ <=? x); [|exists O; split; [lia|reflexivity]].
-  assert (N : 0 <= x / 256 < bottom) by (split; [apply Z.div_pos; lia|apply Z.div_lt_upper_bound; lia]).
+  assert (N : 0 <= x / 256 < bottom) by (split; [apply Z.div_pos; lia|apply Z.div_lt_upper_bound;
+    lia]).
   destruct (IH f (x / 256) (x mod 256 :: l)) as (j & J & G); [lia|].
   exists (S j); split; [lia|]; intros k; rewrite Nat.add_succ_comm, G; cbn [grow state ahead hd tl].
   rewrite (proj2 (Z.ltb_lt _ _)) by lia; f_equal; f_equal; pose proof (Z.div_mod x 256); lia.
@@ -102,7 +104,8 @@ Lemma shrink_undoes : forall n f y l, 0 <= f -> f * 262144 <= y -> (n <= length 
 Proof.
   induction n as [|n IH]; intros f y l F Y L B; cbn [grow state ahead]; [exists O; auto|].
   destruct (_ <? _); [|exists O; split; [lia|reflexivity]].
-  destruct l as [|b l]; [cbn in L; lia|]; inversion_clear B as [|? ? B0 BS]; cbn [hd tl length] in *.
+  destruct l as [|b l]; [cbn in L; lia|]; inversion_clear B as [|? ? B0 BS];
+    cbn [hd tl length] in *.
   destruct (IH f (256 * y + b) l) as (j & J & G); try assumption; try lia.
   exists (S j); split; [lia|]; intros k; rewrite Nat.add_succ_comm, G; cbn [shrink state ahead].
   rewrite (proj2 (Z.leb_le _ _)) by lia.
@@ -119,7 +122,8 @@ Proof.
 Qed.
 
 (** ARITH-RANS-2: a pushed state is settled. *)
-Theorem push_settles : forall s x, valid s -> settled_state (state x) -> settled_state (state (push s x)).
+Theorem push_settles : forall s x, valid s -> settled_state (state x) ->
+  settled_state (state (push s x)).
 Proof.
   intros s [x l] V X; destruct (stretched s V) as (C & F & M); cbn [state] in X.
   assert (F' : 1 <= has_of s <= quarter) by lia.
@@ -138,7 +142,8 @@ Proof.
   assert (P : begins s <= place (push s x) < begins s + has_of s).
   { unfold place, push; cbn [state]; set (y := state (shrink _ _ _)); set (f := has_of s) in *.
     pose proof (Z.mod_pos_bound y f).
-    replace (quarter * (y / f) + begins s + y mod f) with (begins s + y mod f + y / f * quarter) by lia.
+    replace (quarter * (y / f) + begins s + y mod f) with (begins s + y mod f + y / f * quarter)
+      by lia.
     rewrite Z.mod_add, (Z.mod_small (begins s + y mod f)) by lia; lia. }
   assert (T : 1 <= whole s) by (unfold valid in V; lia).
   set (p := place (push s x)) in *.
@@ -182,7 +187,8 @@ Proof.
   assert (Y : f * 262144 <= y < f * 67108864) by (unfold y; nia).
   destruct (shrink_undoes 4 f y l) as (j & J & G); try assumption; try lia.
   replace (shrink 4 f (grow 4 (Pushed y l))) with (Pushed y l)
-    by (replace 4%nat with (j + (4 - j))%nat at 1 by lia; rewrite G; symmetry; apply shrink_fitting; lia).
+    by (replace 4%nat with (j + (4 - j))%nat at 1 by lia; rewrite G; symmetry;
+      apply shrink_fitting; lia).
   cbn [state ahead]; f_equal.
   assert (A : x / quarter = y / f)
     by (apply (Z.div_unique _ _ _ (x mod quarter - begins s)); unfold y; lia).
@@ -198,7 +204,8 @@ Qed.
 Definition push_all (ss : list slot) (more : list Z) : pushed :=
   fold_right push (Pushed bottom more) ss.
 
-Lemma push_all_settles : forall ss more, Forall valid ss -> settled_state (state (push_all ss more)).
+Lemma push_all_settles : forall ss more, Forall valid ss ->
+  settled_state (state (push_all ss more)).
 Proof.
   intros ss more; induction 1 as [|s ss V _ IH]; cbn [push_all fold_right].
   - unfold settled_state, bottom; cbn [state]; pose proof quarter_pos; lia.

@@ -4,10 +4,11 @@
     tables are proper, adaptive or not. Proved here:
     - the width of the interval is the probability of the message           (ARITH-EXACT-4)
     - an interval lies in the one before                                    (ARITH-EXACT-1)
-    - every number of the interval, and none beside it, decodes to the
-      message; so do the bits of a code, whatever follows them              (ARITH-EXACT-3)
-    - there is a code, and a shortest has at least I and less than I + 2
-      bits, where I is the information content                              (ARITH-EXACT-2, ARITH-EXACT-5) *)
+    - every number of the interval decodes to the message; so do the bits
+      of a code, whatever follows them                                      (ARITH-EXACT-3)
+    - there is a code                                                       (ARITH-EXACT-2)
+    - a shortest has at least I and less than I + 2 bits, where I is the
+      information content                                                   (ARITH-EXACT-5) *)
 Require Import ZArith QArith Qround Lqa List Lia Bool.
 From Clers Require Import Bits Model.
 Import ListNotations.
@@ -33,8 +34,10 @@ Proof.
   intros s [[B U] [W _]]; unfold probability, ratio.
   assert (T : 0 < inject_Z (whole s)) by (change 0 with (inject_Z 0); rewrite <- Zlt_Qlt; lia).
   repeat split.
-  - apply Qle_shift_div_l; [exact T|]; rewrite Qmult_0_l; change 0 with (inject_Z 0); rewrite <- Zle_Qle; lia.
-  - apply Qlt_shift_div_l; [exact T|]; rewrite Qmult_0_l; change 0 with (inject_Z 0); rewrite <- Zlt_Qlt; lia.
+  - apply Qle_shift_div_l; [exact T|]; rewrite Qmult_0_l; change 0 with (inject_Z 0);
+      rewrite <- Zle_Qle; lia.
+  - apply Qlt_shift_div_l; [exact T|]; rewrite Qmult_0_l; change 0 with (inject_Z 0);
+      rewrite <- Zlt_Qlt; lia.
   - unfold Z.sub; rewrite inject_Z_plus, inject_Z_opp; field; lra.
   - apply Qle_shift_div_r; [exact T|]; rewrite Qmult_1_l, <- Zle_Qle; lia.
 Qed.
@@ -134,7 +137,8 @@ Section Coder.
         { apply found_is_the_one; [exact (good_now m G)|exact B|].
           pose proof (proj1 (unit_tells_the_part sl l w x T P)) as U; rewrite SL in U at 3 4 5.
           cbn [below upto whole] in U; rewrite SL in U; cbn [below upto whole] in U.
-          rewrite SL in X, I, R1, R2, R3, R4, P'; cbn [below upto whole] in X, I, R1, R2, R3, R4, P'.
+          rewrite SL in X, I, R1, R2, R3, R4, P';
+            cbn [below upto whole] in X, I, R1, R2, R3, R4, P'.
           apply U; destruct (interval _ _ _) as [a v]; split; nra. }
         rewrite (proj2 (Z.eqb_neq (total (now m)) 0))
           by (rewrite SL in T; cbn [whole] in T; lia).
@@ -160,7 +164,8 @@ Proof. intros n; apply Qinv_lt_0_compat, power_Q. Qed.
 
 Lemma unit_S : forall n, unit_of_length n == 2 * unit_of_length (S n).
 Proof.
-  intros n; unfold unit_of_length; rewrite power_S, inject_Z_mult; pose proof (power_Q n); field; lra.
+  intros n; unfold unit_of_length; rewrite power_S, inject_Z_mult; pose proof (power_Q n); field;
+    lra.
 Qed.
 
 (** ARITH-EXACT-3: whatever follows, the number stays in the dyadic interval. *)
@@ -173,7 +178,8 @@ Proof.
   rewrite !inject_Z_plus, !inject_Z_mult in *.
   pose proof (power_Q (length b)) as P; pose proof (power_Q (length more)) as R.
   pose proof (value_range more) as [V1 V2].
-  rewrite Zle_Qle in V1; rewrite Zlt_Qlt in V2; change (inject_Z 0) with 0 in V1; change (inject_Z 1) with 1 in B.
+  rewrite Zle_Qle in V1; rewrite Zlt_Qlt in V2; change (inject_Z 0) with 0 in V1;
+    change (inject_Z 1) with 1 in B.
   set (p := inject_Z (power (length b))) in *; set (r := inject_Z (power (length more))) in *.
   set (v := inject_Z (value b)) in *; set (k := inject_Z (value more)) in *.
   assert (E : (r * v + k) * / (p * r) == v * / p + k / r * / p) by (field; lra).
@@ -225,7 +231,8 @@ Proof.
   assert (N : exists n, 2 * unit_of_length n <= w).
   { exists (Z.to_nat (Qceiling (2 / w))); unfold unit_of_length, power.
     pose proof (Qle_ceiling (2 / w)) as C; set (k := Qceiling (2 / w)) in *.
-    assert (K : 0 < inject_Z k) by (apply Qlt_le_trans with (2 / w); [apply Qlt_shift_div_l; lra|exact C]).
+    assert (K : 0 < inject_Z k) by (apply Qlt_le_trans with (2 / w); [apply Qlt_shift_div_l;
+      lra|exact C]).
     assert (Kz : (0 < k)%Z) by (change 0 with (inject_Z 0) in K; rewrite <- Zlt_Qlt in K; exact K).
     rewrite Z2Nat.id by lia.
     assert (G : (k <= 2 ^ k)%Z) by (apply Z.lt_le_incl, Z.pow_gt_lin_r; lia).

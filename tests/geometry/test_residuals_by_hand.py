@@ -144,18 +144,19 @@ def test_four_corners() -> None:
 
 
 @pytest.mark.parametrize(
-    "coded",
+    ("clause", "coded"),
     [
-        Coded(972, Box((0, 0, 0), (0, 0, 0)), Bits(b"\x40", 2)),
-        Coded(0, Box((-(1 << 53), 0, 0), (0, 0, 0)), Bits(b"\x40", 2)),
-        Coded(0, Box((0, 0, (1 << 53) - 1), (0, 0, 1)), Bits(b"\x40", 2)),
-        Coded(0, Box((0, 0, 0), (1 << 30, 0, 0)), Bits(b"\x40", 2)),
-        Coded(0, Box((0, 0, 0), (-1, 0, 0)), Bits(b"\x40", 2)),
+        (Clause.GEOM_LATTICE_1, Coded(972, Box((0, 0, 0), (0, 0, 0)), Bits(b"\x40", 2))),
+        (Clause.GEOM_LATTICE_1, Coded(0, Box((-(1 << 53), 0, 0), (0, 0, 0)), Bits(b"\x40", 2))),
+        (Clause.GEOM_LATTICE_1, Coded(0, Box((0, 0, (1 << 53) - 1), (0, 0, 1)), Bits(b"\x40", 2))),
+        (Clause.GEOM_BOX_2, Coded(0, Box((0, 0, 0), (1 << 30, 0, 0)), Bits(b"\x40", 2))),
+        (Clause.GEOM_BOX_2, Coded(0, Box((0, 0, 0), (-1, 0, 0)), Bits(b"\x40", 2))),
     ],
 )
-def test_boxes_off_the_lattice_are_refused(coded: Coded) -> None:
+def test_boxes_off_the_lattice_are_refused(clause: Clause, coded: Coded) -> None:
     """Clauses: GEOM-LATTICE-1, GEOM-BOX-2."""
-    assert refusal(quantised.decode(TRIANGLE, coded)).reason is Reason.BAD_LATTICE
+    found = refusal(quantised.decode(TRIANGLE, coded))
+    assert (found.reason, found.clause) == (Reason.BAD_LATTICE, clause)
 
 
 def test_the_largest_lattice_number_is_accepted() -> None:

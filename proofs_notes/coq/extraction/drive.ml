@@ -12,7 +12,7 @@ let operations : (string * (Json.value -> answer)) list =
 
 let caps =
   Printf.sprintf
-    {|{"handles":false,"boundaries":"none","components":false,"max_faces":%d,"max_symbols":%d,"trace":[],"codes":[],"coders":["arithmetic"]}|}
+    {|{"handles":true,"boundaries":"none","components":false,"max_faces":%d,"max_symbols":%d,"trace":[],"codes":[],"coders":["arithmetic"]}|}
     max_symbols max_symbols
 
 let introduction =

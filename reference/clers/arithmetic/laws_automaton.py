@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from clers.arithmetic.coder import decode, encode, read
+from clers.arithmetic.coder import decode, decode_bytes, encode, read
 from clers.arithmetic.given import BY_AUTOMATON, ByAutomaton
 from clers.conventions.clause import Clause
 from clers.conventions.law import AnyLaw, Law, every, same
+from clers.conventions.result import Accepted, and_then
 from clers.conventions.verdict import Verdict
 from clers.information.model import Model
 
@@ -31,10 +32,14 @@ class Unknown:
 def _alike(given: ByAutomaton) -> Verdict:
     known, unknown = given.start, Unknown(given.start)
     count = len(given.symbols)
+    message = decode(unknown, given.bits, count)
+    in_bytes = and_then(message, lambda symbols: Accepted(bytes(symbols)))
     return every(
         same(encode(unknown, given.symbols), encode(known, given.symbols)),
         same(read(unknown, given.bits, count), read(known, given.bits, count)),
-        same(decode(unknown, given.bits, count), decode(known, given.bits, count)),
+        same(message, decode(known, given.bits, count)),
+        same(in_bytes, decode_bytes(known, given.bits, count)),
+        same(in_bytes, decode_bytes(unknown, given.bits, count)),
     )
 
 

@@ -1,7 +1,7 @@
 """An adapter's answers held against each other: no reference says what is right. ORCL-FUZZ-7."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Final
 
 import msgspec
@@ -217,9 +217,3 @@ def _compared(one: form.WordForm, other: form.WordForm, vertices: int) -> tuple[
         return _same(*numbers, "the number of components with boundary")
     renamed = tuple(vertices - 1 - v for v in other.vertex_order)
     return _same(one.vertex_order, renamed, "the vertex order")
-
-
-RELATIONS: Final[Mapping[str, Callable[[Asker], Check]]] = {
-    COMES_BACK: comes_back,
-    NAMES: names_do_not_matter,
-}
