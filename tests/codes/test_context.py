@@ -93,6 +93,8 @@ def test_the_cube_by_hand() -> None:
         model = model.after(bit)
     assert isinstance(model, Told)
     assert model.slots[(0, (3, 1, 5), 0)] == (32767, 2)
+    # Used once: no takes 32768 · 43690 / 65536 away, yes adds ⌊32767 · 43690 / 65536⌋.
+    assert {p for p, k in model.slots.values() if k == 1} == {10923, 54612}
     assert model.weights[0] == (15885, 16384, 16384, 16384, 16384)
 
 

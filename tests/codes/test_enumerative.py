@@ -143,6 +143,17 @@ def test_numbers_of_symbols_that_no_sphere_has(count: int) -> None:
     assert refused == Rejected(Reason.NOT_REPRESENTABLE, Clause.CODE_ENUM_1, WHOLE, expected)
 
 
+def test_the_urn_has_2_to_the_30_at_most() -> None:
+    """CODE-ENUM-2, INFO-MODEL-6: of n symbols it has 2n - 4."""
+    refused = decode(bits("01"), 2**29 + 4, CLOSED)
+    assert isinstance(refused, Rejected)
+    assert (refused.reason, refused.clause) == (Reason.BAD_TABLE, Clause.INFO_MODEL_6)
+    assert refused.where == AtSymbol(0)
+    refused = decode(bits("01"), 2**29 + 2, CLOSED)
+    assert isinstance(refused, Rejected)
+    assert refused.clause is Clause.ARITH_STRICT_2
+
+
 def test_words_of_no_surface_are_refused_by_the_grammar() -> None:
     """CODE-ENUM-1: a reversed C needs a loop of four at least."""
     refused = encode("E", CLOSED)
