@@ -54,6 +54,14 @@ def run(plan: Plan, step: Callable[[str], None]) -> Report | str:
 
     Ended by Ctrl-C it reports what was found until then.
     """
+    total, sample = draw(plan.subjects, plan.root, plan.sample, plan.seed)
+    return over(plan, total, sample, step)
+
+
+def over(
+    plan: Plan, total: int, sample: Sequence[Drawn], step: Callable[[str], None]
+) -> Report | str:
+    """Try these of so many mutants, as `run` does. Clause: TOOL-MUTATION-3."""
     known = _baseline(plan)
     if isinstance(known, str):
         return known
@@ -63,7 +71,6 @@ def run(plan: Plan, step: Callable[[str], None]) -> Report | str:
     known = _steady(plan, known)
     if not known.tests:
         return "no test passes"
-    total, sample = draw(plan.subjects, plan.root, plan.sample, plan.seed)
     judged: dict[Drawn, Trial] = {}
     _try_all(plan, sample, known, judged, step)
     fates = Counter(found.fate for found in judged.values())

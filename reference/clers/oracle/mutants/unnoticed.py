@@ -1,0 +1,58 @@
+"""Why changes that a tool makes are noticed by nothing, where somebody read them. ORCL-MUTANT-9."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Final
+
+
+class Kind(StrEnum):
+    """What a survivor is, as under ORCL-MUTANT-7."""
+
+    EQUIVALENT = "equivalent"
+    ADVICE = "advice"
+    RANGE = "range"
+    MISSED = "missed"
+
+
+@dataclass(frozen=True, slots=True)
+class Why:
+    """What kind of survivor it is, and how that is known."""
+
+    kind: Kind
+    because: str
+
+
+def why(module: str, difference: str) -> Why | None:
+    """What is known of a change of a module, given by lines. Clause: ORCL-MUTANT-9."""
+    return READ.get((module, " ".join(difference.split())))
+
+
+READ: Final[Mapping[tuple[str, str], Why]] = {
+    (
+        "clers.information.numbers",
+        "- long = (parameter - 1).bit_length() + long = (parameter - 0).bit_length()",
+    ): Why(
+        Kind.EQUIVALENT,
+        "they differ for powers of two alone; there a digit more is read at once, which the short "
+        "form read next, and what is short of digits is so at the same place",
+    ),
+    (
+        "clers.information.prefix",
+        "- longest = max(known, default=0) + longest = max(known, default=1)",
+    ): Why(Kind.EQUIVALENT, "of no lengths the sum is 0 over any power of two"),
+    (
+        "clers.arithmetic.coder",
+        "- numbers = decoded(automaton.tables, automaton.context, max(count, 0), longest, of) "
+        "+ numbers = decoded(automaton.tables, automaton.context, max(count, (-1)), longest, of)",
+    ): Why(Kind.EQUIVALENT, "the kernel counts up to it, and begins with 0"),
+    (
+        "clers.codes.minimax_search",
+        "- best, step = _slope(of, *at), 2.0**-10 + best, step = _slope(of, *at), 1.0**-10",
+    ): Why(
+        Kind.EQUIVALENT,
+        "with greater steps the search for a certificate begins further off, and ends at the same; "
+        "whatever it finds is checked in exact numbers",
+    ),
+}
+"""By module and change, with single spaces. Clause: ORCL-MUTANT-9."""

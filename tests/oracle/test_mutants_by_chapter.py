@@ -1,0 +1,163 @@
+"""Mutants of a chapter: beside its tests, then beside cases; kept, and shown."""
+
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import msgspec
+import pytest
+from test_mutants_of_the_reference import CASES, ENCODE, written
+
+from clers.cli.mutation_by_chapter import kept, put
+from clers.measure.mutation.mutant import Mutant, difference
+from clers.oracle.mutants.by_chapter import CHAPTERS, Chapter, Result, Row, asked, of
+from clers.oracle.mutants.chapters_page import page
+from clers.oracle.mutants.reached import PACKAGES, Reached
+from clers.oracle.mutants.unnoticed import READ, Kind, Why, why
+
+TOY = "def small(number):\n    return number < 3\n\n\ndef other(number):\n    return -number\n"
+TESTS = "from toy.sums import small\n\ndef test():\n    assert small(2) and not small(4)\n"
+ALONE = """
+import sys
+import msgspec
+from clers.oracle.mutants.by_chapter import Chapter, Row, tried
+chapter = Chapter("Toy", "toy", ("tests",))
+before = msgspec.json.decode(sys.stdin.buffer.read(), type=tuple[Row, ...])
+found = tried(chapter, 9, 1, before, lambda _: None)
+sys.stdout.buffer.write(msgspec.json.encode(found))
+"""
+CHAPTER = Chapter("Toy", "toy", ("tests",))
+
+
+@pytest.fixture
+def toy(tmp_path: Path) -> Path:
+    for name in ("toy", "tests"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "toy" / "__init__.py").write_text("")
+    (tmp_path / "toy" / "sums.py").write_text(TOY)
+    (tmp_path / "tests" / "test_sums.py").write_text(TESTS)
+    return tmp_path
+
+
+def result(toy: Path, before: tuple[Row, ...] = ()) -> Result:
+    """What the tests of the toy notice."""
+    done = subprocess.run(
+        [sys.executable, "-c", ALONE],
+        input=msgspec.json.encode(before),
+        cwd=toy,
+        env={**os.environ, "PYTHONPATH": str(toy)},
+        capture_output=True,
+        check=True,
+    )
+    return msgspec.json.decode(done.stdout, type=Result)
+
+
+def test_what_tests_notice_is_not_tried_again(toy: Path) -> None:
+    """Clause: ORCL-MUTANT-9."""
+    first = result(toy)
+    assert (first.mutants, first.drawn, len(first.rows)) == (5, 5, 5)
+    by = {row.difference.split("\n")[1]: row.by for row in first.rows}
+    test = "tests/test_sums.py::test"
+    assert by == {
+        "+     return number <= 3": "",
+        "+     return number >= 3": test,
+        "+     return number < 4": "",
+        "+     return number < 2": test,
+        "+     return number": "",
+    }
+    assert (first.by_tests, first.by_cases, len(first.left)) == (2, 0, 3)
+    # Now there is a test of the border alone: what was noticed stays so, if it is the same change.
+    (toy / "tests" / "test_sums.py").write_text(
+        "from toy.sums import small\n\ndef test_three():\n    assert not small(3)\n"
+    )
+    before = tuple(
+        replace(row, mutant=replace(row.mutant, line=7)) if row.mutant.after == "2" else row
+        for row in first.rows
+    )
+    again = {row.difference.split("\n")[1]: row.by for row in result(toy, before).rows}
+    assert again == {
+        "+     return number <= 3": f"{test}_three",
+        "+     return number >= 3": test,
+        "+     return number < 4": f"{test}_three",
+        "+     return number < 2": "",
+        "+     return number": "",
+    }
+
+
+def test_the_cases_are_asked_what_tests_let_pass(tmp_path: Path) -> None:
+    """Clause: ORCL-MUTANT-9."""
+    chapter = CHAPTERS[-1]
+    module = "clers.kernels.walk"
+    source = next(subject.source for subject in of(chapter) if subject.module == module)
+    assert not any("laws" in subject.module for subject in of(CHAPTERS[0]))
+
+    def row(before: str, after: str, by: str = "") -> Row:
+        line, text = next((i, t) for i, t in enumerate(source.split("\n"), 1) if before in t)
+        at = text.index(before)
+        mutant = Mutant(line, at, line, at + len(before), "constant", before, after, line, line)
+        return Row(module, mutant, difference(source, mutant), by)
+
+    told, noticed = row("word.append(R)", "word.append(L)"), row("word.append(L)", "pass", "a test")
+    same, never = row("word.append(R)", "(word.append(R))"), row("word.append(E)", "pass")
+    every = tuple(range(len(CASES)))
+    at = {change.mutant.line: every for change in (told, noticed)}
+    result = Result(chapter, 9, 4, (told, noticed, same, never))
+    folder = written(tmp_path, CASES)
+    found = asked(result, Reached({module: at}), folder, len(CASES), lambda _: None)
+    assert [change.by for change in found.rows] == [ENCODE.id, "a test", "", ""]
+    assert [change.case for change in found.rows] == [True, False, False, False]
+    assert asked(result, Reached({}), folder, len(CASES), lambda _: None) == result
+
+
+NOTICED = Row("m", Mutant(1, 0, 1, 1, "constant", "1", "2", 1, 1), "- 1\n+ 2", "tests/x.py::y")
+BY_CASE = Row("m", Mutant(2, 0, 2, 1, "constant", "1", "2", 2, 2), "- 1\n+ 2", "case-a", case=True)
+LEFT = Row("m", Mutant(3, 0, 3, 1, "constant", "1", "2", 3, 3), "- x = 1\n+ x = 2", "")
+SAME = Row(
+    "m",
+    Mutant(4, 0, 4, 1, "constant", "1", "2", 4, 4),
+    "- y = 1\n+ y = 2",
+    "",
+    why=Why(Kind.EQUIVALENT, "y is never read"),
+)
+
+
+def test_what_the_page_says() -> None:
+    """Clause: ORCL-MUTANT-9."""
+    one = Result(CHAPTER, 70, 4, (NOTICED, BY_CASE, LEFT, SAME))
+    two = Result(CHAPTER, 30, 1, (NOTICED,))
+    text = list(page([one, two], 4, 7))
+    assert "    python -m clers.cli.mutation_by_chapter --sample 4 --seed 7" in text
+    assert "| Toy | 70 | 4 | 1 | 1 | 2 | 50.0 % | 66.7 % |" in text
+    assert "| Toy | 30 | 1 | 1 | 0 | 0 | 100.0 % | 100.0 % |" in text
+    assert "| all | 100 | 5 | 2 | 1 | 2 | 60.0 % | 75.0 % |" in text
+    assert "`m`: **not read yet**" in text
+    assert "`m`: **equivalent**; y is never read" in text
+    assert "- y = 1\n+ y = 2" in text
+    alone = list(page([two], 4, 7))
+    assert not any("all" in line.split(" ")[:2] or "nothing noticed" in line for line in alone)
+
+
+def test_what_is_kept_is_read_again(tmp_path: Path) -> None:
+    """Clause: ORCL-MUTANT-9."""
+    found = Result(CHAPTER, 70, 4, (NOTICED, BY_CASE, LEFT, SAME))
+    put(tmp_path / "new", found)
+    assert kept(tmp_path / "new", CHAPTER) == found.rows
+    assert kept(tmp_path, CHAPTER) == kept(None, CHAPTER) == ()
+    (tmp_path / "new" / "toy.json").write_text("{")
+    assert kept(tmp_path / "new", CHAPTER) == ()
+
+
+def test_each_chapter_has_its_tests_and_what_is_read_is_a_change() -> None:
+    """Clause: ORCL-MUTANT-9."""
+    assert {chapter.package for chapter in CHAPTERS} == set(PACKAGES)
+    here = Path(__file__).parent.parent.parent
+    assert all((here / tests).is_dir() for chapter in CHAPTERS for tests in chapter.tests)
+    for (module, change), known in READ.items():
+        assert module.startswith(tuple(f"{name}." for name in PACKAGES))
+        assert known.because
+        lines = change.replace(" + ", "\n+     ", 1)
+        assert lines != change
+        assert why(module, lines) == known
+    assert why("m", "- 1\n+ 2") is None
