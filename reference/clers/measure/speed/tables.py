@@ -107,7 +107,7 @@ def _growth(of: Speed) -> Table:
         )
         for each in of.slopes
     )
-    sizes = tuple(("least", "middle", "greatest")[:width])
+    sizes = tuple(("least", "second", "third", "greatest")[:width])
     heads = ("family", "code", "way", "triangles", *sizes, "slope", "greatest / least")
     return Table("microseconds a triangle as meshes grow", heads, rows)
 
