@@ -47,6 +47,15 @@ READ: Final[Mapping[tuple[str, str], Why]] = {
         "+ numbers = decoded(automaton.tables, automaton.context, max(count, (-1)), longest, of)",
     ): Why(Kind.EQUIVALENT, "the kernel counts up to it, and begins with 0"),
     (
+        "clers.edgebreaker.examples",
+        "- (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (2, 5, 3), (2, 3, 0), "
+        "+ (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), ((2, 3, 0)), ((2, 5, 3)),",
+    ): Why(
+        Kind.EQUIVALENT,
+        "an example's faces in another order are the same surface, and as the first face stays, so "
+        "do the walk and the word",
+    ),
+    (
         "clers.codes.minimax_search",
         "- best, step = _slope(of, *at), 2.0**-10 + best, step = _slope(of, *at), 1.0**-10",
     ): Why(
