@@ -215,7 +215,7 @@ def test_no_ratio_to_a_clock_that_stood_still() -> None:
 
 def test_memory_of_processes() -> None:
     """TOOL-SPEED-6: the indices take twelve bytes, in pages; corners eight, kept twice."""
-    found = memory(given(faces=20_000), CodeName.GOLDEN)
+    found = memory(given(faces=200_000), CodeName.GOLDEN)
     assert found.code == "golden"
     assert 10 < found.index_list < 30
     assert 48 < found.encode < 200

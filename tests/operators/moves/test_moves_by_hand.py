@@ -71,6 +71,9 @@ APPLIES: tuple[tuple[Facets, Move, Facets, tuple[int, ...]], ...] = (
         (1, 4, 6, 3),
     ),
     (((5,),), Bistellar((5,), (7,)), ((7,),), ()),
+    # a vertex under another name: no number changes
+    (((0, 2, 7),), Weld((1,), 0), ((1, 2, 7),), ()),
+    (((0, 2, 7),), Subdivide((2,), 3), ((0, 3, 7),), ()),
     # contractions: of a path, of a square of edges, of an edge at the boundary, of one inside
     (PATH, Contract(0, 1), ((0, 2),), (-1, -1)),
     (((0, 1), (1, 2), (2, 3), (0, 3)), Contract(3, 0), ((1, 2), (2, 3), (1, 3)), (-1, -1)),

@@ -98,6 +98,8 @@ def negative(p: Polynomial) -> Polynomial:
 
 
 def _product(p: Polynomial, q: Polynomial) -> Polynomial:
+    if not p or not q:  # 0 has no terms
+        return ()
     terms = [0] * (len(p) + len(q) - 1)
     for i, left in enumerate(p):
         for j, right in enumerate(q):
