@@ -8,7 +8,7 @@ import argparse
 import signal
 import sys
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from random import Random
 from resource import RUSAGE_SELF, getrusage
@@ -17,7 +17,8 @@ from tracemalloc import get_traced_memory, reset_peak, start, stop
 from types import FrameType
 from typing import Final
 
-from clers.container.file import decode
+from clers.codes.registry import CodeName
+from clers.container.file import decode, inspect
 from clers.container.laws_file import file_again
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.verdict import Fails
@@ -30,8 +31,11 @@ PATIENCE: Final = 10.0
 BYTES_OF_MEMORY: Final = 4096
 """For each byte of a file; a golden word has up to 12 symbols in a byte. Clause: FILE-COUNT-4."""
 
-ALLOWANCE: Final = 1 << 22
-"""For what a reader needs whatever the file, in bytes: the code `context` begins with 3 MB."""
+ALLOWANCE: Final = 1 << 18
+"""For what any reader needs, in bytes."""
+
+TABLES: Final[Mapping[CodeName, int]] = {CodeName.CONTEXT: 1 << 22, CodeName.BEST: 1 << 22}
+"""What a code needs beside it, whatever the file: `context` begins with 3 MB."""
 
 MEASURED: Final = 50
 """One file in so many has its memory measured, which is slow."""
@@ -87,6 +91,13 @@ def _memory(data: bytes) -> int:
         stop()
 
 
+def _allowed(data: bytes) -> int:
+    """The bytes of memory that a reader may take for a file. Clause: FILE-COUNT-4."""
+    found = inspect(data)
+    tables = TABLES.get(found.value.head.code, 0) if isinstance(found, Accepted) else 0
+    return ALLOWANCE + tables + BYTES_OF_MEMORY * len(data)
+
+
 def campaign(files: int, seed: int) -> Iterator[tuple[bytes, Tried]]:
     """So many tampered files, one after another. Clauses: FILE-PARSE-2, FILE-COUNT-4."""
     random = Random(seed)
@@ -96,7 +107,7 @@ def campaign(files: int, seed: int) -> Iterator[tuple[bytes, Tried]]:
         tried = _outcome(way, data)
         if index % MEASURED == 0 and not tried.defect:
             used = _memory(data)
-            if used > ALLOWANCE + BYTES_OF_MEMORY * len(data):
+            if used > _allowed(data):
                 tried = Tried(way, f"MEMORY {used} BYTES FOR {len(data)}", defect=True)
             tried = replace(tried, memory=used)
         yield data, tried
