@@ -1,63 +1,34 @@
 """Regular meshes of any size, in linear time: for benchmarks, limits and worst cases.
 
 Each function is a plain one: the same arguments give the same faces in the same order.
+`flat_families` makes most of them, and has them as index lists, for millions of faces.
 """
 
-from collections.abc import Iterable, Iterator
-from math import isqrt
+from collections.abc import Iterable
 
 from clers.complexes.face_list import FaceList
+from clers.complexes.index_list import buffered, listed_faces
+from clers.generate import flat_families as flat
 from clers.operators.net import Triangle
-from clers.operators.tube import tube_around
 
 
 def grid_sphere(rings: int) -> FaceList:
     """An octahedron whose faces are grids of `rings`² triangles: 8·rings² faces, rings ≥ 1.
 
-    Six vertices have degree 4, the others 6. Faces and vertices go from pole to pole.
+    Six vertices have degree 4, the others 6. Vertices go from pole to pole, faces from each pole
+    to the equator.
     """
-    size = [1, *(4 * min(k, 2 * rings - k) for k in range(1, 2 * rings)), 1]
-    first = [0]
-    for count in size:
-        first.append(first[-1] + count)
-    faces: list[Triangle] = []
-    for k in range(rings):  # the smaller ring k inside ring k + 1
-        faces += _belt(first[k], k, first[k + 1], k + 1, turned=False)
-    for k in range(2 * rings - 1, rings - 1, -1):
-        m = 2 * rings - k - 1
-        faces += _belt(first[k + 1], m, first[k], m + 1, turned=True)
-    return FaceList(tuple(faces), first[-1])
-
-
-def _belt(inner: int, m: int, outer: int, n: int, *, turned: bool) -> Iterator[Triangle]:
-    """The faces between a ring of 4m vertices (one, if m = 0) and a ring of 4n, n = m + 1."""
-    for q in range(4):
-        for i in range(n):
-            a = outer + q * n + i
-            b = outer + (q * n + i + 1) % (4 * n)
-            c = inner + (q * m + i) % (4 * m) if m else inner
-            yield (b, a, c) if turned else (a, b, c)
-            if i < m:
-                d = inner + (q * m + i + 1) % (4 * m)
-                yield (d, b, c) if turned else (d, c, b)
+    return listed_faces(flat.grid_sphere(rings))
 
 
 def sphere_of(faces: int) -> FaceList:
     """A sphere of at least `faces` faces: the smallest `grid_sphere` that has them."""
-    rings = max(isqrt(max(faces, 1) // 8), 1)
-    return grid_sphere(rings if 8 * rings * rings >= faces else rings + 1)
+    return listed_faces(flat.sphere_of(faces))
 
 
 def grid_torus(rows: int, columns: int) -> FaceList:
     """A torus of 2·rows·columns faces, both ≥ 3; each vertex has degree 6."""
-    faces: list[Triangle] = []
-    for i in range(rows):
-        here, there = i * columns, (i + 1) % rows * columns
-        for j in range(columns):
-            k = (j + 1) % columns
-            a, b, c, d = here + j, here + k, there + k, there + j
-            faces += [(a, b, c), (a, c, d)]
-    return FaceList(tuple(faces), rows * columns)
+    return listed_faces(flat.grid_torus(rows, columns))
 
 
 def torus_chain(genus: int, rows: int, columns: int) -> FaceList:
@@ -65,22 +36,7 @@ def torus_chain(genus: int, rows: int, columns: int) -> FaceList:
 
     2·genus·rows·columns + 4·(genus − 1) faces.
     """
-    one = grid_torus(rows, columns)
-    tubes: list[Triangle] = []
-    faces: list[Triangle] = []
-    last = len(one.faces) // 2 + columns  # far from face 0, and without a vertex of it
-    for k in range(genus):
-        moved = [_moved(face, k * one.vertices) for face in one.faces]
-        if k > 0:
-            before = _moved(one.faces[last], (k - 1) * one.vertices)
-            tubes += tube_around(before, moved[0], 0)
-        gone = {0 if k > 0 else -1, last if k < genus - 1 else -1}
-        faces += [face for t, face in enumerate(moved) if t not in gone]
-    return FaceList((*faces, *tubes), genus * one.vertices)
-
-
-def _moved(face: Triangle, by: int) -> Triangle:
-    return face[0] + by, face[1] + by, face[2] + by
+    return listed_faces(flat.torus_chain(genus, rows, columns))
 
 
 def with_holes(of: FaceList, holes: int) -> FaceList:
@@ -89,22 +45,12 @@ def with_holes(of: FaceList, holes: int) -> FaceList:
     Each is a boundary curve of three edges. `of` is closed; where it has no room for as many holes,
     it gets fewer.
     """
-    taken = bytearray(of.vertices)
-    kept: list[Triangle] = []
-    left = holes
-    for face in of.faces:
-        a, b, c = face
-        if left and not (taken[a] or taken[b] or taken[c]):
-            taken[a] = taken[b] = taken[c] = 1
-            left -= 1
-        else:
-            kept.append(face)
-    return FaceList(tuple(kept), of.vertices)
+    return listed_faces(flat.with_holes(buffered(of), holes))
 
 
 def copies(of: FaceList, count: int) -> FaceList:
     """As many components as copies of a mesh, one after another."""
-    return beside([of] * count)
+    return listed_faces(flat.copies(buffered(of), count))
 
 
 def beside(parts: Iterable[FaceList]) -> FaceList:
@@ -112,7 +58,7 @@ def beside(parts: Iterable[FaceList]) -> FaceList:
     faces: list[Triangle] = []
     vertices = 0
     for part in parts:
-        faces += [_moved(face, vertices) for face in part.faces]
+        faces += [(a + vertices, b + vertices, c + vertices) for a, b, c in part.faces]
         vertices += part.vertices
     return FaceList(tuple(faces), vertices)
 
@@ -125,22 +71,18 @@ def strip(faces: int) -> FaceList:
 
 def bipyramid(sides: int) -> FaceList:
     """Two vertices of degree `sides` ≥ 3 and a cycle between: 2·sides faces, for long fans."""
-    top, bottom = sides, sides + 1
-    around = [(k, (k + 1) % sides) for k in range(sides)]
-    upper = tuple((a, b, top) for a, b in around)
-    return FaceList((*upper, *((b, a, bottom) for a, b in around)), sides + 2)
+    return listed_faces(flat.bipyramid(sides))
 
 
 def nested_splits(depth: int) -> FaceList:
     """A sphere of 4·depth + 4 faces that Edgebreaker reads as C^(2k+1) R S^k E^(k+1), k = depth.
 
     From the first face: all its S are open at once, so the stack is as deep as a quarter of the
-    faces. A fan about b reaches v₁ … v_N (N = 2k + 1); a fan about r reaches every second of them.
+    faces.
     """
-    a, b, r = 0, 1, 2
-    last = 2 * depth + 1
-    v = [a, *range(3, 3 + last)]
-    fan = [(v[k + 1], v[k], b) for k in range(last)]
-    splits = [(v[k - 2], v[k], r) for k in range(last, 2, -2)]
-    ends = [(v[k - 2], v[k - 1], v[k]) for k in range(3, last + 1, 2)]
-    return FaceList(((r, b, a), *fan, (r, v[last], b), *splits, (a, v[1], r), *ends), 3 + last)
+    return listed_faces(flat.nested_splits(depth))
+
+
+def shuffled(given: FaceList, seed: int) -> FaceList:
+    """The same mesh with faces and vertices in random order: no cache helps any more."""
+    return listed_faces(flat.shuffled(buffered(given), seed))

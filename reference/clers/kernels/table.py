@@ -6,11 +6,11 @@ vertex above it below 2^63, so that nothing wraps.
 
 from typing import Final
 
-from librt.strings import read_i64_le
+from librt.strings import read_i32_le, read_i64_le
 from librt.vecs import vec
 from mypy_extensions import i64
 
-from clers.kernels.flat import minus_ones, zeros
+from clers.kernels.flat import flags, minus_ones, zeros
 
 WORD: Final = 0xFFFF_FFFF
 MOST: Final = 0x8000_0000
@@ -20,15 +20,17 @@ MOST: Final = 0x8000_0000
 def indices(buffer: bytes) -> vec[i64]:
     """The numbers of 32 bits, lowest byte first, that a buffer holds. Linear. CPLX-INPUT-5."""
     count: i64 = len(buffer) // 4
-    padded = buffer + bytes(4)
-    found = zeros(count + 1)
+    found = zeros(count)
+    last: i64 = count - 1
     k: i64 = 0
-    while k < count:
-        two: i64 = read_i64_le(padded, 4 * k)
+    while k < last:
+        two: i64 = read_i64_le(buffer, 4 * k)
         found[k] = two & WORD
-        found[k + 1] = (two >> 32) & WORD
+        found[k + 1] = two >> 32 & WORD
         k += 2
-    return found[:count]
+    if k == last:
+        found[k] = i64(read_i32_le(buffer, 4 * k)) & WORD
+    return found
 
 
 def fit(vertex: vec[i64], vertices: i64) -> bool:
@@ -76,24 +78,25 @@ def opposites(vertex: vec[i64], vertices: i64) -> vec[i64]:
         start[v] = before
         before += here
         v += 1
-    # Of each edge the upper end, the corner opposite to it, and 1 if its face runs it upwards.
+    # Of each edge the upper end, twice the corner opposite to it, and 1 if its face runs it up.
     edge = zeros(corners)
     c = 0
     while c < corners:
         x = vertex[c]
         y = vertex[c + 1]
         z = vertex[c + 2]
+        two: i64 = 2 * c
         low: i64 = x if x < y else y
         j: i64 = start[low]
-        edge[j] = y << 32 | (c + 2) << 1 | 1 if x < y else x << 32 | (c + 2) << 1
+        edge[j] = y << 32 | two + 5 if x < y else x << 32 | two + 4
         start[low] = j + 1
         low = y if y < z else z
         j = start[low]
-        edge[j] = z << 32 | c << 1 | 1 if y < z else y << 32 | c << 1
+        edge[j] = z << 32 | two + 1 if y < z else y << 32 | two
         start[low] = j + 1
         low = z if z < x else x
         j = start[low]
-        edge[j] = x << 32 | (c + 1) << 1 | 1 if z < x else z << 32 | (c + 1) << 1
+        edge[j] = x << 32 | two + 3 if z < x else z << 32 | two + 2
         start[low] = j + 1
         c += 3
     opposite = minus_ones(corners)
@@ -133,7 +136,7 @@ def one_fan_each(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
     Clauses: CPLX-REJECT-5, CPLX-REJECT-8, CPLX-REJECT-9.
     """
     corners: i64 = len(vertex)
-    met = zeros(vertices)
+    met = flags(vertices)
     used: i64 = 0
     reached: i64 = 0
     c: i64 = 0
@@ -176,7 +179,7 @@ def simple(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> bool:
     """
     corners: i64 = len(vertex)
     seen_from = minus_ones(vertices)  # the last vertex that an edge to this one was seen from
-    done = zeros(vertices)
+    done = flags(vertices)
     c: i64 = 0
     while c < corners:
         v: i64 = vertex[c]

@@ -24,26 +24,30 @@ MARKED: Final = 2
 class Walk:
     """What the walk has seen and written so far; private and mutable, never seen from outside.
 
-    `visited[t]`: UNVISITED, VISITED, or SPLIT where an S is; `split_of[t]` is the number of that S.
-    `mark[v]`: UNSEEN; ON_CURVE, of a curve not reached; MARKED, on a visited face or on a curve
-    reached. The first `met` of `order` are the vertices met, the first `made` of `tips` the tips of
-    the faces visited. Of S number s: `left_of` its left corner, `reaches` whether it reached a
-    curve, `closed` 2·(closers before) + 1 if its left edge was closed as a left edge, + 0 as a
-    right one, or -1.
+    `gates`: the corners opposite to edges of the border. `visited[t]`: UNVISITED, VISITED, or SPLIT
+    where an S is; `split_of[t]` is the number of that S. `mark[v]`: UNSEEN; ON_CURVE, of a curve
+    not reached; MARKED, on a visited face or on a curve reached. The first `met` of `order` are the
+    vertices met, the first `made` of `tips` the tips of the faces visited. Of S number s: `left_of`
+    its left corner, `reaches` whether it reached a curve, `closed` 2·(closers before) + 1 if its
+    left edge was closed as a left edge, + 0 as a right one, or -1.
     """
 
     def __init__(self, vertex: vec[i64], opposite: vec[i64], vertices: i64) -> None:
         corners: i64 = len(vertex)
+        mark = flags(vertices)
+        gates = vec[i64]()
+        c: i64 = 0
+        while c < corners:
+            if opposite[c] < 0:
+                mark[vertex[c - 2 if c % 3 == 2 else c + 1]] = ON_CURVE
+                gates = append(gates, c)
+            c += 1
         self.vertex = vertex
         self.opposite = opposite
         self.visited = flags(corners // 3)
         self.split_of = zeros(corners // 3)
-        self.mark = flags(vertices)
-        c: i64 = 0
-        while c < corners:
-            if opposite[c] < 0:
-                self.mark[vertex[c - 2 if c % 3 == 2 else c + 1]] = ON_CURVE
-            c += 1
+        self.mark = mark
+        self.gates = gates
         self.word = BytesWriter()
         self.order = zeros(vertices)
         self.met: i64 = 0
@@ -83,15 +87,11 @@ class Walk:
             self.meet(self.vertex[corner + k])
             k += 1
 
-    def close(self, across: i64, left: i64) -> None:
-        """Algorithm 5: is the closed edge the left edge of an S? Clauses: EB-HANDLE-1 … -4."""
-        if across < 0:
-            return
-        if self.visited[across // 3] != SPLIT:
-            return
+    def close(self, across: i64, at: i64) -> None:
+        """Algorithm 5: is the closed edge the left edge of this S? Clauses: EB-HANDLE-1 … -4."""
         s: i64 = self.split_of[across // 3]
         if self.left_of[s] == across:
-            self.closed[s] = 2 * self.closers + left
+            self.closed[s] = at
 
     def traverse(self, gate: i64) -> None:
         """Algorithm 3, from one gate until the stack is empty. Clauses: EB-TRAVERSE-1 … -7."""
@@ -100,8 +100,11 @@ class Walk:
         visited = self.visited
         mark = self.mark
         word = self.word
+        order = self.order
         tips = self.tips
+        met: i64 = self.met
         made: i64 = self.made
+        closers: i64 = self.closers
         stack = vec[i64]()
         height: i64 = 0
         while True:
@@ -111,18 +114,19 @@ class Walk:
             made += 1
             v: i64 = vertex[gate]
             turn: i64 = gate % 3
-            right: i64 = gate - 2 if turn == 2 else gate + 1
-            left: i64 = gate + 2 if turn == 0 else gate - 1
-            right_gate: i64 = opposite[right]
-            left_gate: i64 = opposite[left]
+            right_gate: i64 = opposite[gate - 2 if turn == 2 else gate + 1]
             if mark[v] == UNSEEN:
                 word.append(C)
-                self.meet(v)
+                mark[v] = MARKED
+                order[met] = v
+                met += 1
                 gate = right_gate
                 continue
-            right_closed: bool = right_gate < 0 or visited[right_gate // 3] != UNVISITED
-            left_closed: bool = left_gate < 0 or visited[left_gate // 3] != UNVISITED
-            if not right_closed and not left_closed:
+            left: i64 = gate - 1 if turn else gate + 2
+            left_gate: i64 = opposite[left]
+            right_seen: i64 = VISITED if right_gate < 0 else i64(visited[right_gate // 3])
+            left_seen: i64 = VISITED if left_gate < 0 else i64(visited[left_gate // 3])
+            if right_seen == UNVISITED and left_seen == UNVISITED:
                 word.append(S)
                 visited[face] = SPLIT
                 self.split_of[face] = len(self.left_of)
@@ -130,7 +134,9 @@ class Walk:
                 self.closed = append(self.closed, -1)
                 if mark[v] == ON_CURVE:
                     self.reaches = append(self.reaches, 1)
+                    self.met = met
                     self.reach_curve(gate)
+                    met = self.met
                 else:
                     self.reaches = append(self.reaches, 0)
                 if height < len(stack):
@@ -140,15 +146,15 @@ class Walk:
                 height += 1
                 gate = right_gate
                 continue
-            if right_closed:
-                self.close(right_gate, 0)
-            if left_closed:
-                self.close(left_gate, 1)
-            self.closers += 1
-            if not left_closed:
+            if right_seen == SPLIT:
+                self.close(right_gate, 2 * closers)
+            if left_seen == SPLIT:
+                self.close(left_gate, 2 * closers + 1)
+            closers += 1
+            if left_seen == UNVISITED:
                 word.append(R)
                 gate = left_gate
-            elif not right_closed:
+            elif right_seen == UNVISITED:
                 word.append(L)
                 gate = right_gate
             else:
@@ -156,7 +162,9 @@ class Walk:
                 while height > 0 and visited[stack[height - 1] // 3] != UNVISITED:
                     height -= 1
                 if height == 0:
+                    self.met = met
                     self.made = made
+                    self.closers = closers
                     return
                 height -= 1
                 gate = stack[height]
@@ -181,18 +189,17 @@ def walked(vertex: vec[i64], opposite: vec[i64], vertices: i64) -> Walk:
     Clauses: EB-COMPONENT-1 … EB-COMPONENT-4.
     """
     walk = Walk(vertex, opposite, vertices)
-    corners: i64 = len(vertex)
-    c: i64 = 0
-    while c < corners:
-        if opposite[c] < 0 and walk.visited[c // 3] == UNVISITED:
-            walk.reach_curve(c - 2 if c % 3 == 2 else c + 1)
-            walk.traverse(c)
+    visited = walk.visited
+    for gate in walk.gates:
+        if visited[gate // 3] == UNVISITED:
+            walk.reach_curve(gate - 2 if gate % 3 == 2 else gate + 1)
+            walk.traverse(gate)
             walk.with_boundary += 1
-        c += 1
-    c = 0
-    while c < corners:
-        if walk.visited[c // 3] == UNVISITED:
-            walk.visit_root(c)
-            walk.traverse(opposite[c])
-        c += 3
+    faces: i64 = len(visited)
+    t: i64 = 0
+    while t < faces:
+        if visited[t] == UNVISITED:
+            walk.visit_root(3 * t)
+            walk.traverse(opposite[3 * t])
+        t += 1
     return walk

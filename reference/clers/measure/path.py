@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from random import Random
 from typing import TypeVar
 
 from clers.codes.closings import closings
@@ -10,7 +9,6 @@ from clers.codes.registry import CodeName
 from clers.codes.registry import decode as decode_word
 from clers.codes.registry import encode as encode_word
 from clers.complexes.corner_table import surface_of_indices
-from clers.complexes.face_list import FaceList
 from clers.complexes.index_list import IndexList
 from clers.container import file
 from clers.conventions.result import Accepted, Rejected
@@ -28,16 +26,6 @@ class Timed:
 
     step: str
     spent: Spent
-
-
-def shuffled(given: FaceList, seed: int) -> FaceList:
-    """The same mesh with faces and vertices in random order: no cache helps any more."""
-    random = Random(seed)
-    name = list(range(given.vertices))
-    random.shuffle(name)
-    faces = [(name[a], name[b], name[c]) for a, b, c in given.faces]
-    random.shuffle(faces)
-    return FaceList(tuple(faces), given.vertices)
 
 
 def must(result: Accepted[T] | Rejected) -> T:

@@ -5,8 +5,7 @@ import sys
 from pathlib import Path
 from typing import Final
 
-from clers.complexes.index_list import buffered
-from clers.generate.families import sphere_of
+from clers.generate.flat_families import sphere_of
 from clers.measure.path import timed_path
 
 STATUS: Final = Path("/proc/self/status")
@@ -36,9 +35,9 @@ def main() -> None:
     """Note the memory, make a mesh, walk the path, and say how much more was needed."""
     before = peak_bytes()
     mesh = sphere_of(int(sys.argv[1]))
-    for _ in timed_path(buffered(mesh)):
+    for _ in timed_path(mesh):
         pass
-    sys.stdout.write(f"{(peak_bytes() - before) / len(mesh.faces)}\n")
+    sys.stdout.write(f"{(peak_bytes() - before) / mesh.faces}\n")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected, and_then
 from clers.measure.peers.draco_file import Connectivity, connectivity
+from clers.measure.peers.index_list import index_list
 from clers.measure.peers.peer import Peer, not_installed
 
 PACKAGE: Final = "DracoPy"
@@ -30,7 +31,7 @@ def arrays(surface: Surface) -> Arrays:
     """Each vertex at a place of its own. Clause: TOOL-BITS-2."""
     numbers = np.arange(surface.vertices)
     places = np.stack((numbers % ROW, numbers // ROW, 0 * numbers), axis=1).astype(np.float32)
-    return Arrays(places, np.array(surface.vertex, dtype=np.uint32).reshape(-1, 3))
+    return Arrays(places, index_list(surface).reshape(-1, 3))
 
 
 def encoded(surface: Surface, level: int) -> Accepted[bytes] | Rejected:

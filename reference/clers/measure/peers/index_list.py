@@ -16,7 +16,7 @@ Indices = npt.NDArray[np.uint32]
 
 def index_list(surface: Surface) -> Indices:
     """Three vertex numbers for each face, in the mesh's order. Clause: TOOL-BITS-4."""
-    return np.array(surface.vertex, dtype="<u4")
+    return np.asarray(surface.vertex_row.flat).astype("<u4")
 
 
 def by_zlib(surface: Surface) -> Accepted[int] | Rejected:

@@ -4,11 +4,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
-from clers.complexes.corner_table import face_list
-from clers.complexes.index_list import IndexList, buffered
+import numpy as np
+
+from clers.complexes.corner_table import surface_of_indices
+from clers.complexes.index_list import IndexList
 from clers.complexes.surface import Surface
 from clers.conventions.result import Accepted, Rejected
+from clers.generate.flat_families import list_of
 from clers.measure.clock import Spent
+from clers.measure.path import must
 
 
 class Kind(StrEnum):
@@ -37,7 +41,13 @@ class Given:
 
 def given(name: str, surface: Surface) -> Given:
     """A surface to be coded."""
-    return Given(name, buffered(face_list(surface)), surface)
+    faces = np.asarray(surface.vertex_row.flat).reshape(-1, 3)
+    return Given(name, list_of(faces, surface.vertices), surface)
+
+
+def listed(name: str, indices: IndexList) -> Given:
+    """A mesh that was made to be coded, and so is a surface."""
+    return Given(name, indices, must(surface_of_indices(indices)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,12 +9,10 @@ from pathlib import Path
 from typing import Final
 
 from clers import __version__
-from clers.complexes.corner_table import surface
-from clers.generate.irregular import irregular_sphere
+from clers.generate.irregular import flat_irregular_sphere
 from clers.kernels import COMPILED
 from clers.measure.bits.report import version_of
-from clers.measure.path import must
-from clers.measure.speed.contender import Contender, Given, Kind, Way, given
+from clers.measure.speed.contender import Contender, Given, Kind, Way, listed
 from clers.measure.speed.memory import Memory, memory
 from clers.measure.speed.ours import CODES, OURS, step_name, whole
 from clers.measure.speed.peers import PEERS
@@ -98,8 +96,8 @@ def sizes(faces: int) -> tuple[int, ...]:
 def spheres(faces: int) -> Iterable[Given]:
     """The two larger sizes of irregular spheres. Clause: TOOL-SPEED-1."""
     for size in (max(faces // 10, LEAST), faces):
-        mesh = irregular_sphere(size - size % 2, SEED)
-        yield given(f"sphere-{len(mesh.faces)}", must(surface(mesh)))
+        mesh = flat_irregular_sphere(size - size % 2, SEED)
+        yield listed(f"sphere-{mesh.faces}", mesh)
 
 
 def steps_of(meshes: int, rounds: int) -> int:

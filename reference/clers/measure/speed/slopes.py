@@ -6,29 +6,33 @@ from math import log
 from statistics import linear_regression
 from typing import Final
 
-from clers.complexes.corner_table import surface
-from clers.complexes.face_list import FaceList
-from clers.generate.families import (
+from clers.complexes.index_list import IndexList
+from clers.generate.flat_families import (
     bipyramid,
     copies,
     grid_sphere,
     nested_splits,
+    shuffled,
     sphere_of,
     torus_chain,
     with_holes,
 )
-from clers.generate.irregular import irregular_sphere
-from clers.measure.path import must, shuffled
-from clers.measure.speed.contender import Contender, Way, given
+from clers.generate.irregular import flat_irregular_sphere
+from clers.measure.speed.contender import Contender, Way, listed
 from clers.measure.speed.rates import rates, sampled
 
 SEED: Final = 2007
 LEAST: Final = 100
 """Every family has a mesh of about so many faces."""
 
-FAMILIES: Final[Mapping[str, Callable[[int], FaceList]]] = {
-    "irregular sphere": lambda faces: irregular_sphere(faces - faces % 2, SEED),
-    "irregular, shuffled": lambda faces: shuffled(irregular_sphere(faces - faces % 2, SEED), SEED),
+
+def _irregular(faces: int) -> IndexList:
+    return flat_irregular_sphere(faces - faces % 2, SEED)
+
+
+FAMILIES: Final[Mapping[str, Callable[[int], IndexList]]] = {
+    "irregular sphere": _irregular,
+    "irregular, shuffled": lambda faces: shuffled(_irregular(faces), SEED),
     "nested S": lambda faces: nested_splits(faces // 4),
     "one run of C": lambda faces: bipyramid(faces // 2),
     "handles": lambda faces: torus_chain(max(faces // 102, 1), 7, 7),
@@ -66,13 +70,11 @@ def slopes(
     for family, make in FAMILIES.items():
         points: dict[tuple[str, Way], list[tuple[int, float]]] = {}
         for size in sizes:
-            mesh = make(size)
-            each = given(f"{family}, {size}", must(surface(mesh)))
-            samples = sampled(each, contenders, rounds, step)
-            for rate in rates(samples, len(mesh.faces)):
-                points.setdefault((rate.name, rate.way), []).append(
-                    (len(mesh.faces), rate.cpu.median)
-                )
+            each = listed(f"{family}, {size}", make(size))
+            faces = each.indices.faces
+            for rate in rates(sampled(each, contenders, rounds, step), faces):
+                points.setdefault((rate.name, rate.way), []).append((faces, rate.cpu.least))
+            del each
         found += [slope(family, name, way, of) for (name, way), of in points.items()]
     return tuple(found)
 
