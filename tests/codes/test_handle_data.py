@@ -13,9 +13,10 @@ from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.verdict import Fails, Holds
 from clers.edgebreaker.examples import TORUS
-from clers.edgebreaker.stream import Kind, Side
+from clers.edgebreaker.stream import Kind, Record, Side, Stream
 from clers.information.adaptive import Adaptive
 from clers.information.model import cumulative
+from clers.kernels import closing
 
 FIRST = Closing(0, Kind.HANDLE, Side.RIGHT, 0)
 
@@ -99,7 +100,7 @@ def test_the_bound_by_hand() -> None:
 
 def test_the_laws_can_fail(monkeypatch: pytest.MonkeyPatch) -> None:
     """CODE-HAND-5, CODE-HAND-6: a decoder that is not strict, an alphabet far too large."""
-    back, short = LAWS
+    back, short, *_ = LAWS
     assert (back.check(TORUS), short.check(TORUS)) == (Holds(), Holds())
     with monkeypatch.context() as planted:
         planted.setattr(handle_data, "decode", lambda bits, count, symbols: Accepted(()))
@@ -108,3 +109,16 @@ def test_the_laws_can_fail(monkeypatch: pytest.MonkeyPatch) -> None:
         wide = Adaptive(cumulative((1,) * 4096), 2, 1 << 30)
         planted.setattr(handle_data, "_fresh", lambda size: wide)
         assert isinstance(short.check(TORUS), Fails)
+
+
+def test_the_laws_of_definitions_can_fail(monkeypatch: pytest.MonkeyPatch) -> None:
+    """CODE-HAND-2, CODE-HAND-3: a sweep that takes an edge too far, and one that finds none."""
+    *_, seen, undone = LAWS
+    stream = Stream("SSEE", (Record(Kind.HANDLE, 0, 1, Side.LEFT),))
+    assert (seen.check(stream), undone.check(stream)) == (Holds(), Holds())
+    with monkeypatch.context() as planted:
+        planted.setattr(closing, "between", lambda *_: [2])
+        assert isinstance(seen.check(stream), Fails)
+    with monkeypatch.context() as planted:
+        planted.setattr(closing, "closers", lambda *_: [closing.NONE])
+        assert isinstance(undone.check(stream), Fails)

@@ -68,7 +68,7 @@ def test_kernels_stand_alone(copied: Path) -> None:
     """TOOL-BUILD-1: all are imported where no other part of the package is; from their sources."""
     sources = [str(copied / f"{name}.py") for name in NAMES]
     assert said(copied.parents[1], *NAMES) == ["False", *sources]
-    assert len(NAMES) == 13
+    assert len(NAMES) == 14
 
 
 def test_machine_code_of_these_sources_runs(built: Path) -> None:
@@ -125,6 +125,20 @@ def test_the_environment_asks_for_sources(built: Path, wish: str, compiled: bool
     """Clause: TOOL-BUILD-4."""
     found = "machine code" if compiled else str(built / "table.py")
     assert said(built.parents[1], "table", wish=wish) == [str(compiled), found]
+
+
+def test_the_same_choice_in_this_process(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """TOOL-BUILD-3, TOOL-BUILD-4: what the processes above do, where a changed text shows too."""
+    monkeypatch.setattr(kernels, "HERE", built)
+    monkeypatch.delenv("CLERS_KERNELS", raising=False)
+    assert kernels._compiled()
+    monkeypatch.setenv("CLERS_KERNELS", "interpreted")
+    assert not kernels._compiled()
+    monkeypatch.setenv("CLERS_KERNELS", "")
+    changed(built)
+    assert not kernels._compiled()
+    unstamped(built)
+    assert not kernels._compiled()
 
 
 def test_the_digest_by_hand(tmp_path: Path) -> None:

@@ -1,23 +1,18 @@
 """Handle data as Spirale Reversi meets it: from the end, counted back from each S with a record."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
+
+from librt.vecs import vec
+from mypy_extensions import i64
 
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.conventions.where import AtRecord
+from clers.edgebreaker.scanning import FAR, records_of
 from clers.edgebreaker.stream import Kind, Record, Side, Stream
-
-SIDES: Final[Mapping[str, tuple[Side, ...]]] = {
-    "C": (),
-    "L": (Side.LEFT,),
-    "E": (Side.RIGHT, Side.LEFT),
-    "R": (Side.RIGHT,),
-    "S": (),
-}
-"""The sides on which a triangle can close an S. Clauses: EB-HANDLE-4, CODE-HAND-1."""
+from clers.kernels import closing as kernel
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,74 +34,79 @@ def closings(stream: Stream) -> Accepted[tuple[Closing, ...]] | Rejected:
 
     Linear. Clauses: CODE-HAND-1, CODE-HAND-2.
     """
-    if not stream.records:
+    given = stream.records
+    if not given:
         return Accepted(())
-    word, waiting = stream.word, list(stream.records)
-    s, at = word.count("S"), _closers(word)
-    edges: dict[Side, dict[int, int]] = {Side.RIGHT: {}, Side.LEFT: {}}  # `at` to its place
-    found: list[Closing] = []
-    passed = 0
-    for symbol in reversed(word):
-        if symbol == "S":
-            s -= 1
-            if waiting and waiting[-1].s == s:
-                record = waiting.pop()
-                places = edges[record.side]
-                if record.at not in places:
-                    return _no_closing(len(waiting), record)
-                between = len(places) - 1 - places[record.at]
-                found.append(Closing(passed, record.kind, record.side, between))
-                passed = 0
-            else:
-                passed += 1
-        elif symbol != "C":
-            at -= 1
-        for side in SIDES.get(symbol, ()):
-            edges[side][at] = len(edges[side])
-    return _no_closing(len(waiting) - 1, waiting[-1]) if waiting else Accepted(tuple(found))
+    word = stream.word.encode("ascii", "replace")
+    followed = [*(record.s for record in given[1:]), word.count(b"S")]
+    first = _in_order([record.s for record in given], followed)
+    between = kernel.between(word, records_of(given), first, _closers(word))
+    wrong = next((r for r in reversed(range(len(given))) if between[r] == kernel.NONE), None)
+    if wrong is not None:
+        return no_closing(wrong, given[wrong])
+    return Accepted(
+        tuple(
+            Closing(followed[r] - given[r].s - 1, given[r].kind, given[r].side, between[r])
+            for r in reversed(range(len(given)))
+        )
+    )
+
+
+def _in_order(numbers: Sequence[int], followed: Sequence[int]) -> int:
+    """From which record on all S are below the next, and the last below their number."""
+    pairs = list(zip(numbers, followed, strict=True))
+    wrong = (r for r in reversed(range(len(pairs))) if not 0 <= pairs[r][0] < pairs[r][1])
+    return next(wrong, -1) + 1
 
 
 def records(word: str, given: Sequence[Closing]) -> Accepted[tuple[Record, ...]] | Rejected:
     """The records of a word from what is seen from its end. Linear. Clause: CODE-HAND-3."""
     if not given:
         return Accepted(())
-    s, at = word.count("S"), _closers(word)
-    edges: dict[Side, list[int]] = {Side.RIGHT: [], Side.LEFT: []}
-    found: list[Record] = []
-    passed = 0
-    for symbol in reversed(word):
-        if symbol == "S":
-            s -= 1
-            if len(found) < len(given) and given[len(found)].passed == passed:
-                closing = given[len(found)]
-                places = edges[closing.side]
-                if closing.between >= len(places):
-                    return _no_record(len(given) - 1 - len(found), "its closing edge")
-                closer = places[len(places) - 1 - closing.between]
-                found.append(Record(closing.kind, s, closer, closing.side))
-                passed = 0
-            else:
-                passed += 1
-        elif symbol != "C":
-            at -= 1
-        for side in SIDES[symbol]:
-            edges[side].append(at)
+    numbers = _numbers(word.count("S"), given)
+    there = given[: len(numbers)]
+    closers = kernel.closers(
+        word.encode("ascii", "replace"),
+        vec[i64](reversed(numbers)),
+        vec[i64](int(closing.side is Side.LEFT) for closing in reversed(there)),
+        vec[i64](max(-1, min(closing.between, FAR)) for closing in reversed(there)),
+    )
+    found = [
+        Record(closing.kind, s, at, closing.side)
+        for closing, s, at in zip(there, numbers, reversed(list(closers)), strict=True)
+    ]
+    wrong = next((i for i, record in enumerate(found) if record.at == kernel.NONE), None)
+    if wrong is not None:
+        return no_record(len(given) - 1 - wrong, "its closing edge")
     if len(found) < len(given):
-        return _no_record(len(given) - 1 - len(found), "its S")
+        return no_record(len(given) - 1 - len(found), "its S")
     return Accepted(tuple(reversed(found)))
 
 
-def _closers(word: str) -> int:
-    return word.count("R") + word.count("L") + word.count("E")
+def _numbers(splits: int, given: Sequence[Closing]) -> list[int]:
+    """The S of each closing, the last one first, up to the first that has none."""
+    numbers: list[int] = []
+    s = splits
+    for closing in given:
+        s -= closing.passed + 1
+        if s < 0 or closing.passed < 0:
+            break
+        numbers.append(s)
+    return numbers
 
 
-def _no_closing(index: int, record: Record) -> Rejected:
+def _closers(word: bytes) -> int:
+    """How many R, L and E there are. Clause: EB-HANDLE-3."""
+    return word.count(b"R") + word.count(b"L") + word.count(b"E")
+
+
+def no_closing(index: int, record: Record) -> Rejected:
     """A record that no edge after its S belongs to. Clause: CODE-HAND-2."""
     detail = f"S {record.s} is not closed on the {record.side} by closer {record.at}"
     return Rejected(Reason.NOT_REPRESENTABLE, Clause.CODE_HAND_2, AtRecord(index), detail)
 
 
-def _no_record(index: int, what: str) -> Rejected:
+def no_record(index: int, what: str) -> Rejected:
     """A closing that goes back too far. Clause: CODE-HAND-3."""
     detail = f"{what} is further back than the word is long"
     return Rejected(Reason.RECORD_OUT_OF_RANGE, Clause.CODE_HAND_3, AtRecord(index), detail)

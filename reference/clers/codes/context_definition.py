@@ -10,7 +10,8 @@ from functools import cache
 from math import floor
 from typing import Final
 
-from clers.codes.closings import SIDES, Closing
+from clers.codes.closings import Closing
+from clers.codes.closings_definition import SIDES
 from clers.codes.logistic import CURVE
 from clers.edgebreaker.stream import Side
 

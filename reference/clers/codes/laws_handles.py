@@ -5,7 +5,8 @@ from typing import Final
 
 from clers.arithmetic.bits import Bits, pack
 from clers.codes import handle_data
-from clers.codes.closings import Closing, closings
+from clers.codes.closings import Closing, closings, records
+from clers.codes.closings_definition import closings_by_definition, records_by_definition
 from clers.complexes.given import SURFACES
 from clers.complexes.surface import Surface
 from clers.conventions.clause import Clause
@@ -14,6 +15,8 @@ from clers.conventions.result import Accepted, Rejected, and_then
 from clers.conventions.verdict import Fails, Holds, Verdict
 from clers.conventions.where import WHOLE
 from clers.edgebreaker.encode import encode as encode_surface
+from clers.edgebreaker.given import STREAMS
+from clers.edgebreaker.stream import Stream
 
 
 def _coded(surface: Surface) -> tuple[tuple[Closing, ...], int, Bits]:
@@ -60,6 +63,17 @@ def handle_data_is_short(surface: Surface) -> Verdict:
     return at_most(most_bits(seen, symbols), bits.length, "bits")
 
 
+def seen_as_defined(stream: Stream) -> Verdict:
+    """One sweep with differences finds what walking back finds, and blames the same record."""
+    return same(closings_by_definition(stream), closings(stream))
+
+
+def undone_as_defined(stream: Stream) -> Verdict:
+    """The same the other way, of numbers that may mean nothing: those of the records."""
+    given = [Closing(r.s, r.kind, r.side, r.at) for r in stream.records]
+    return same(records_by_definition(stream.word, given), records(stream.word, given))
+
+
 LAWS: Final[tuple[AnyLaw, ...]] = (
     Law(
         "handle-data-comes-back",
@@ -74,5 +88,19 @@ LAWS: Final[tuple[AnyLaw, ...]] = (
         "handle data takes its digits, two bits and the sizes, and what learning costs",
         SURFACES,
         handle_data_is_short,
+    ),
+    Law(
+        "closings-definition",
+        Clause.CODE_HAND_2,
+        "closings counted in one sweep are those that a walk from the end meets",
+        STREAMS,
+        seen_as_defined,
+    ),
+    Law(
+        "closings-back-definition",
+        Clause.CODE_HAND_3,
+        "records found in one sweep are those that a walk from the end finds",
+        STREAMS,
+        undone_as_defined,
     ),
 )

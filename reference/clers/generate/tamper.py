@@ -9,7 +9,8 @@ from random import Random
 from typing import Final
 
 from clers.arithmetic.bits import pack
-from clers.codes.closings import SIDES, closings
+from clers.codes.closings import closings
+from clers.codes.closings_definition import SIDES
 from clers.codes.handle_data import encode as encode_handles
 from clers.codes.registry import CodeName
 from clers.codes.registry import encode as encode_word

@@ -8,7 +8,6 @@ from clers.oracle.mutants.mutant import Mutant
 KING_ROSSIGNAC: Final = "clers.codes.king_rossignac"
 LOOPS: Final = "clers.kernels.loops"
 FORETELLING: Final = "clers.kernels.foretelling"
-CLOSINGS: Final = "clers.codes.closings"
 
 MUTANTS: Final = (
     Mutant(
@@ -238,22 +237,17 @@ MUTANTS: Final = (
     Mutant(
         "between-from-other-end",
         Clause.CODE_HAND_1,
-        CLOSINGS,
-        "between = len(places) - 1 - places[record.at]",
-        "between = places[record.at]",
+        "clers.kernels.closing",
+        "found[r] = edge - before[r]",
+        "found[r] = (lefts if records.left[r] else rights) - 1 - edge",
         "Edges between an S and its closing edge are counted from the end of the word.",
     ),
     Mutant(
         "passed-not-reset",
         Clause.CODE_HAND_1,
-        CLOSINGS,
-        """\
-                found.append(Closing(passed, record.kind, record.side, between))
-                passed = 0
-""",
-        """\
-                found.append(Closing(passed, record.kind, record.side, between))
-""",
+        "clers.codes.closings",
+        "Closing(followed[r] - given[r].s - 1, given[r].kind",
+        "Closing(followed[-1] - given[r].s + r - len(given), given[r].kind",
         "S without record are counted from the end of the word.",
     ),
     Mutant(
