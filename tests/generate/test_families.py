@@ -1,6 +1,8 @@
 """Families of meshes: sizes and topology by formula, the words they are made for, determinism."""
 
 from collections import Counter
+from hashlib import sha256
+from typing import Final
 
 import pytest
 
@@ -23,6 +25,7 @@ from clers.generate.families import (
 )
 from clers.generate.irregular import flip_at_random, irregular_sphere, split_at_random
 from clers.generate.kinds import random_script
+from clers.measure.speed.slopes import FAMILIES as SPEED_FAMILIES
 from clers.operators.script import run
 
 
@@ -149,6 +152,25 @@ def test_flips_keep_the_torus() -> None:
 
 def test_open_meshes_are_not_flipped() -> None:
     assert flip_at_random(strip(9), 3, 1) == strip(9)
+
+
+FIXED: Final = {
+    "irregular sphere": "849286078a85183e",
+    "irregular, shuffled": "fcc08e8e4308f683",
+    "nested S": "3527d5c0dfb077e4",
+    "one run of C": "b349593d52c303c7",
+    "handles": "c61b565c0549e48b",
+    "components": "bb25f217cef68d5b",
+    "curves": "fb0e122b9fd93b31",
+}
+"""The first half of SHA-256 of index lists, as generators of Python tuples made them."""
+
+
+@pytest.mark.parametrize("name", FIXED)
+def test_meshes_stay_what_they_are(name: str) -> None:
+    """TOOL-SPEED-1, TOOL-SPEED-5: numbers of one day are compared with those of another."""
+    mesh = SPEED_FAMILIES[name](1000)
+    assert sha256(mesh.buffer).hexdigest()[:16] == FIXED[name]
 
 
 def test_random_script_grows() -> None:

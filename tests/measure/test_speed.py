@@ -32,11 +32,10 @@ from clers.measure.speed.report import (
     on_mesh,
     processor,
     ratios,
-    sizes,
     spheres,
     steps_of,
 )
-from clers.measure.speed.slopes import FAMILIES, Slope, slope, slopes
+from clers.measure.speed.slopes import FAMILIES, Slope, rounds_at, sizes, slope, slopes
 from clers.measure.speed.tables import made_by, page, refused_lines, tables
 
 
@@ -226,15 +225,20 @@ def test_memory_of_processes() -> None:
 
 
 def test_slope_by_hand() -> None:
-    """TOOL-SPEED-5: 1 for a line, 2 for a square; time per triangle, last by first."""
+    """TOOL-SPEED-5: 1 for a line, 2 for a square; time per triangle, last by first, at worst."""
     line = slope("f", "golden", Way.ENCODE, [(10, 1.0), (100, 10.0), (1000, 100.0)])
     assert line.slope == pytest.approx(1)
     assert line.ratio == pytest.approx(1)
+    assert line.worst == pytest.approx(1)
     square = slope("f", "golden", Way.DECODE, [(10, 1.0), (100, 100.0)])
     assert (square.family, square.name, square.way) == ("f", "golden", Way.DECODE)
     assert (square.faces, square.seconds_per_triangle) == ((10, 100), (0.1, 1.0))
     assert square.slope == pytest.approx(2)
     assert square.ratio == pytest.approx(10)
+    assert square.worst == pytest.approx(10)
+    dip = slope("f", "golden", Way.DECODE, [(1, 4.0), (10, 10.0), (100, 300.0), (1000, 2000.0)])
+    assert dip.ratio == pytest.approx(0.5)
+    assert dip.worst == pytest.approx(3)
 
 
 @pytest.mark.parametrize("faces", [100, 2000])
@@ -242,8 +246,8 @@ def test_families_are_what_they_are_called(faces: int) -> None:
     """TOOL-SPEED-5: about so many faces; words and topology as promised."""
     made = {name: make(faces) for name, make in FAMILIES.items()}
     for mesh in made.values():
-        assert 0.9 * faces <= len(mesh.faces) <= 1.5 * faces
-    built = {name: must(surface(mesh)) for name, mesh in made.items()}
+        assert 0.9 * faces <= mesh.faces <= 1.5 * faces
+    built = {name: must(surface_of_indices(mesh)) for name, mesh in made.items()}
     words = {name: encode(each).stream.word for name, each in built.items()}
     assert words["nested S"].count("S") == faces // 4
     half = faces // 2
@@ -259,7 +263,10 @@ def test_families_are_what_they_are_called(faces: int) -> None:
 def test_sizes_and_spheres() -> None:
     """TOOL-SPEED-1, TOOL-SPEED-5: tenths, and never too small to be made."""
     assert sizes(4_000_000) == (10_000, 100_000, 1_000_000, 4_000_000)
-    assert sizes(2000) == (100, 100, 500, 2000)
+    assert sizes(1_000_000) == (10_000, 100_000, 1_000_000)
+    assert sizes(10_001) == (10_000, 10_001)
+    assert sizes(10_000) == (1000, 10_000)
+    assert sizes(500) == (100, 500)
     found = list(spheres(2001))
     assert [(each.name, each.surface.faces) for each in found] == [
         ("sphere-200", 200), ("sphere-2000", 2000),
@@ -276,6 +283,22 @@ def test_every_family_at_every_size() -> None:
     ]
     assert all(len(row.faces) == 2 for row in found)
     assert len(steps) == 2 * len(FAMILIES)
+
+
+def test_small_meshes_are_coded_more_often(monkeypatch: pytest.MonkeyPatch) -> None:
+    """TOOL-SPEED-5: up to a tenth of the greatest size ten times; then the least time counts."""
+    assert [rounds_at(size, 1000, 3) for size in (99, 100, 101, 1000)] == [30, 30, 3, 3]
+    one = {"nested S": FAMILIES["nested S"]}
+    monkeypatch.setattr("clers.measure.speed.slopes.FAMILIES", one)
+    seconds = [*range(40, 10, -1), 60, 50, 70]
+    told: list[tuple[Reading, ...]] = [
+        (Reading("a", Way.ENCODE, Spent(cpu + 1, cpu)),) for cpu in seconds
+    ]
+    order: list[str] = []
+    (found,) = slopes((100, 1000), [Scripted("a", Kind.CODE, told).contender(order)], 3, quiet)
+    assert len(order) == 30 + 3
+    assert found.faces == (104, 1004)
+    assert found.seconds_per_triangle == pytest.approx((11 / 104, 50 / 1004))
 
 
 # What is printed
@@ -302,7 +325,7 @@ def told(*more: OnMesh) -> Speed:
         "m", 6, 8, timed, (Ratio("golden", "peer", Way.ENCODE, 2.0),), {"zstd": "why"},
         (Memory("golden", 100.4, 50, 25),),
     )  # fmt: skip
-    row = Slope("nested S", "golden", Way.ENCODE, (10, 100), (2e-6, 3e-6), 1.176, 1.5)
+    row = Slope("nested S", "golden", Way.ENCODE, (10, 100), (2e-6, 3e-6), 1.176, 1.5, 1.6)
     return Speed(MACHINE, 3, (mesh, *more), (row,))
 
 
@@ -320,8 +343,9 @@ def test_tables_by_hand() -> None:
     assert against.rows == (("peer", "2.00", "–", "–", "–"),)
     assert steps.rows == (("golden: walk", "0.125", "0.125 … 0.125", "0.250"),)
     assert most.rows == (("m", "golden", "100", "50", "25"),)
+    assert growth.heads[3:5] == ("at 10", "at 100")
     assert growth.rows == (
-        ("nested S", "golden", "encode", "10 100", "2.000", "3.000", "1.176", "1.50"),
+        ("nested S", "golden", "encode", "2.000", "3.000", "1.176", "1.50", "1.60"),
     )
     for each in tables(told()):
         assert {len(row) for row in each.rows} == {len(each.heads)}
@@ -397,6 +421,6 @@ def test_every_step_is_foretold(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(f"clers.measure.speed.{module}.FAMILIES", families)
     steps: list[str] = []
     found = reporting.measure([given("t")], 1000, 1, steps.append)
-    assert len(steps) == steps_of(1, 1)
+    assert len(steps) == steps_of(1, 1000, 1)
     assert (found.rounds, [each.mesh for each in found.meshes]) == (1, ["t"])
     assert len(found.slopes) == 2 * len(CODES) * len(families)

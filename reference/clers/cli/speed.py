@@ -31,6 +31,7 @@ def speed(
     as_json: AsJson = False,
 ) -> None:
     """Triangles per second there and back, beside peers; steps, ratios, memory, growth."""
+    from clers.measure.kept import keep_freed_memory
     from clers.measure.speed.report import measure, spheres, steps_of
 
     if out is not None and out.suffix.lower() != PAGE:
@@ -39,7 +40,8 @@ def speed(
         raise typer.BadParameter(f"{plot} is neither .svg nor .png", param_hint="--plot")
     files = paths or []
     read = _read(files, as_json)
-    with progress("speed", steps_of(len(files) + 2, rounds)) as step:
+    keep_freed_memory()
+    with progress("speed", steps_of(len(files) + 2, faces, rounds)) as step:
         found = measure(chain(read, spheres(faces)), faces, rounds, step)
     _write(found, out, plot, _command(files, faces, rounds, out, plot))
     if as_json:

@@ -17,7 +17,15 @@ from clers.measure.speed.memory import Memory, memory
 from clers.measure.speed.ours import CODES, OURS, step_name, whole
 from clers.measure.speed.peers import PEERS
 from clers.measure.speed.rates import Rate, Samples, rate, rates, sampled
-from clers.measure.speed.slopes import FAMILIES, LEAST, SEED, Slope, slopes
+from clers.measure.speed.slopes import (
+    FAMILIES,
+    LEAST,
+    SEED,
+    Slope,
+    rounds_at,
+    sizes,
+    slopes,
+)
 
 PACKAGES: Final = ("DracoPy", "librt", "meshoptimizer", "numpy", "zstandard")
 CONTENDERS: Final = (*OURS, *PEERS)
@@ -88,11 +96,6 @@ class Speed:
     slopes: tuple[Slope, ...]
 
 
-def sizes(faces: int) -> tuple[int, ...]:
-    """The greatest size and its parts, so that four million begin at ten thousand. TOOL-SPEED-5."""
-    return tuple(max(faces // part, LEAST) for part in (400, 40, 4, 1))
-
-
 def spheres(faces: int) -> Iterable[Given]:
     """The two larger sizes of irregular spheres. Clause: TOOL-SPEED-1."""
     for size in (max(faces // 10, LEAST), faces):
@@ -100,10 +103,11 @@ def spheres(faces: int) -> Iterable[Given]:
         yield listed(f"sphere-{mesh.faces}", mesh)
 
 
-def steps_of(meshes: int, rounds: int) -> int:
+def steps_of(meshes: int, faces: int, rounds: int) -> int:
     """How often `measure` calls its `step`."""
     coded = len(CONTENDERS) * rounds + len(CODES)
-    return meshes * coded + len(sizes(1)) * len(FAMILIES) * len(CODES) * rounds
+    grown = sum(rounds_at(size, faces, rounds) for size in sizes(faces))
+    return meshes * coded + grown * len(FAMILIES) * len(CODES)
 
 
 def measure(meshes: Iterable[Given], faces: int, rounds: int, step: Callable[[str], None]) -> Speed:

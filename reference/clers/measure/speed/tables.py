@@ -94,21 +94,20 @@ def _memory(meshes: Sequence[OnMesh]) -> Table:
 
 
 def _growth(of: Speed) -> Table:
-    width = max((len(each.faces) for each in of.slopes), default=0)
     rows = tuple(
         (
             each.family,
             each.name,
             str(each.way),
-            " ".join(map(str, each.faces)),
             *(_number(1e6 * t, 3) for t in each.seconds_per_triangle),
             _number(each.slope, 3),
             _number(each.ratio, 2),
+            _number(each.worst, 2),
         )
         for each in of.slopes
     )
-    sizes = tuple(("least", "second", "third", "greatest")[:width])
-    heads = ("family", "code", "way", "triangles", *sizes, "slope", "greatest / least")
+    sizes = tuple(f"at {faces}" for faces in of.slopes[0].faces) if of.slopes else ()
+    heads = ("family", "code", "way", *sizes, "slope", "last / first", "at worst")
     return Table("microseconds a triangle as meshes grow", heads, rows)
 
 
@@ -146,7 +145,7 @@ def page(of: Speed, command: str) -> str:
         "",
         f"{made_by(of.machine, of.rounds)}.",
         "",
-        "Speeds, ratios and growth are by processor time, medians over the rounds. "
+        "Speeds and ratios are by processor time, medians over the rounds; growth is by the least. "
         "A ratio above 1 says that ours is faster.",
         "",
     ]
