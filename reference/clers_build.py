@@ -28,6 +28,7 @@ class BuildKernels(build_ext):
         extensions = [extension for extension in made if isinstance(extension, Extension)]
         for extension in extensions:
             extension.optional = True
+            extension.extra_compile_args += ["-fno-semantic-interposition"]
         # setuptools names its class twice, and means the same.
         self.distribution.ext_modules = extensions  # type: ignore[assignment]
         super().finalize_options()

@@ -49,10 +49,10 @@ def handles(size: int) -> FaceList:
 
 PINNED: Final[Mapping[str, Mapping[str, float]]] = {
     "sphere": {
-        "automaton": 29.38,
+        "automaton": 36.95,
         "foretelling": 495.31,
         "gluing": 67.65,
-        "interval": 241.0,
+        "interval": 177.91,
         "loops": 59.57,
         "naming": 56.08,
         "order": 24.52,
@@ -63,11 +63,11 @@ PINNED: Final[Mapping[str, Mapping[str, float]]] = {
         "walk": 88.26,
     },
     "handles": {
-        "automaton": 30.4,
+        "automaton": 37.01,
         "closing": 45.49,
         "foretelling": 461.78,
         "gluing": 34.46,
-        "interval": 126.56,
+        "interval": 92.3,
         "loops": 59.71,
         "naming": 28.22,
         "order": 24.49,

@@ -10,8 +10,8 @@ from typing import Final
 from librt.vecs import vec
 from mypy_extensions import i64
 
-from clers.arithmetic.bits import Bits, pack
-from clers.arithmetic.coder import ended, truncated
+from clers.arithmetic.bits import Bits
+from clers.arithmetic.coder import ended, finished, truncated
 from clers.codes.code import NOTHING, Code, Shape
 from clers.codes.implied import stranger
 from clers.codes.logistic import RATE, SQUASH, STRETCH
@@ -72,7 +72,7 @@ def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
         detail = "no loop of a surface lets this symbol be undone"
         where = AtSymbol(at)
         return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_CONTEXT_3, where, detail)
-    return Accepted(pack(to.finish()))
+    return Accepted(finished(to))
 
 
 def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
@@ -80,7 +80,7 @@ def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
 
     Linear. Clauses: CODE-CONTEXT-1, CODE-CONTEXT-8.
     """
-    of = Decoder(bits.values())
+    of = Decoder(bits.data)
     by = foretelling(shape, count)
     found = decoded(count, bits.length, by, of)
     if len(found) < count or of.at - AHEAD > bits.length:

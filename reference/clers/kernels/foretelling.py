@@ -10,7 +10,7 @@ from typing import Final
 
 from librt.strings import BytesWriter
 from librt.vecs import extend, vec
-from mypy_extensions import i64
+from mypy_extensions import i64, u8
 
 from clers.kernels.flat import repeated, zeros
 from clers.kernels.interval import AHEAD, Decoder, Encoder
@@ -265,7 +265,7 @@ def decoded(count: i64, longest: i64, by: Foretelling, of: Decoder) -> bytes:
             if yes:
                 break
             d += 1
-        out.append(d)
+        out.append(u8(d))
         by.undo(d)
         i += 1
     return out.getvalue()
