@@ -4,6 +4,7 @@ Tests marked `interpreted` see into the kernels, which machine code does not let
 kernels are compiled, such tests run in another process, in which they are not.
 """
 
+import gc
 import os
 
 import pytest
@@ -28,6 +29,11 @@ settings.load_profile(os.environ.get("CLERS_PROFILE", "ci"))
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "interpreted: runs where the kernels are interpreted")
+
+
+def pytest_collection_finish() -> None:
+    """All that is there now stays: what collects garbage, as timing does, need not look at it."""
+    gc.freeze()
 
 
 @pytest.hookimpl(tryfirst=True)

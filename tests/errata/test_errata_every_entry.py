@@ -2,6 +2,7 @@
 
 import ast
 import re
+from functools import cache
 from pathlib import Path
 from typing import Final
 
@@ -14,12 +15,14 @@ _HEADING: Final = re.compile(r"^### ERRATUM-(\d+)\. ", re.MULTILINE)
 _NAME: Final = re.compile(r"`(test_\w+)`")
 
 
+@cache
 def entries() -> dict[int, str]:
     """Each entry's text, by its number."""
     _, *parts = _HEADING.split(PAGE.partition("## Slips of the pen")[0])
     return {int(number): text for number, text in zip(parts[::2], parts[1::2], strict=True)}
 
 
+@cache
 def functions() -> dict[str, str]:
     """Each test function with its docstring."""
     return {

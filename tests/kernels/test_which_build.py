@@ -127,6 +127,20 @@ def test_the_environment_asks_for_sources(built: Path, wish: str, compiled: bool
     assert said(built.parents[1], "table", wish=wish) == [str(compiled), found]
 
 
+def test_the_same_choice_in_this_process(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """TOOL-BUILD-3, TOOL-BUILD-4: what the processes above do, where a changed text shows too."""
+    monkeypatch.setattr(kernels, "HERE", built)
+    monkeypatch.delenv("CLERS_KERNELS", raising=False)
+    assert kernels._compiled()
+    monkeypatch.setenv("CLERS_KERNELS", "interpreted")
+    assert not kernels._compiled()
+    monkeypatch.setenv("CLERS_KERNELS", "")
+    changed(built)
+    assert not kernels._compiled()
+    unstamped(built)
+    assert not kernels._compiled()
+
+
 def test_the_digest_by_hand(tmp_path: Path) -> None:
     """Clause: TOOL-BUILD-3."""
     for name, text in (("b.py", "2"), ("a.py", "1"), ("__init__.py", "0"), ("c.txt", "3")):

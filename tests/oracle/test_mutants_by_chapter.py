@@ -76,7 +76,10 @@ def test_what_tests_notice_is_not_tried_again(toy: Path) -> None:
         replace(row, mutant=replace(row.mutant, line=7)) if row.mutant.after == "2" else row
         for row in first.rows
     )
-    again = {row.difference.split("\n")[1]: row.by for row in result(toy, before).rows}
+    retried = result(toy, before)
+    late = {row.difference.split("\n")[1] for row in retried.late}
+    assert late == {"+     return number <= 3", "+     return number < 4"}
+    again = {row.difference.split("\n")[1]: row.by for row in retried.rows}
     assert again == {
         "+     return number <= 3": f"{test}_three",
         "+     return number >= 3": test,
@@ -113,6 +116,9 @@ def test_the_cases_are_asked_what_tests_let_pass(tmp_path: Path) -> None:
 
 NOTICED = Row("m", Mutant(1, 0, 1, 1, "constant", "1", "2", 1, 1), "- 1\n+ 2", "tests/x.py::y")
 BY_CASE = Row("m", Mutant(2, 0, 2, 1, "constant", "1", "2", 2, 2), "- 1\n+ 2", "case-a", case=True)
+LATE = Row(
+    "m", Mutant(5, 0, 5, 1, "constant", "1", "2", 5, 5), "- z\n+ w", "tests/x.py::z", late=True
+)
 LEFT = Row("m", Mutant(3, 0, 3, 1, "constant", "1", "2", 3, 3), "- x = 1\n+ x = 2", "")
 SAME = Row(
     "m",
@@ -126,22 +132,26 @@ SAME = Row(
 def test_what_the_page_says() -> None:
     """Clause: ORCL-MUTANT-9."""
     one = Result(CHAPTER, 70, 4, (NOTICED, BY_CASE, LEFT, SAME))
-    two = Result(CHAPTER, 30, 1, (NOTICED,))
-    text = list(page([one, two], 4, 7))
+    two = Result(CHAPTER, 30, 2, (NOTICED, LATE))
+    text = list(page([one, two], 4, 7, commit="abc1234"))
     assert "    python -m clers.cli.mutation_by_chapter --sample 4 --seed 7" in text
-    assert "| Toy | 70 | 4 | 1 | 1 | 2 | 50.0 % | 66.7 % |" in text
-    assert "| Toy | 30 | 1 | 1 | 0 | 0 | 100.0 % | 100.0 % |" in text
-    assert "| all | 100 | 5 | 2 | 1 | 2 | 60.0 % | 75.0 % |" in text
+    assert "| Toy | 70 | 4 | 1 | 1 | 2 | 50.0 % | 50.0 % | 66.7 % |" in text
+    assert "| Toy | 30 | 2 | 2 | 0 | 0 | 50.0 % | 100.0 % | 100.0 % |" in text
+    assert "| all | 100 | 6 | 3 | 1 | 2 | 50.0 % | 66.7 % | 80.0 % |" in text
+    assert any(line.endswith("as commit abc1234 left them.") for line in text)
+    assert text.index("`m`: now by `tests/x.py::z`") < text.index("- z\n+ w")
     assert "`m`: **not read yet**" in text
     assert "`m`: **equivalent**; y is never read" in text
     assert "- y = 1\n+ y = 2" in text
-    alone = list(page([two], 4, 7))
+    alone = list(page([replace(two, rows=(NOTICED,))], 4, 7))
+    assert not any("late" in line for line in alone)
+    assert not any("commit" in line for line in alone)
     assert not any("all" in line.split(" ")[:2] or "nothing noticed" in line for line in alone)
 
 
 def test_what_is_kept_is_read_again(tmp_path: Path) -> None:
     """Clause: ORCL-MUTANT-9."""
-    found = Result(CHAPTER, 70, 4, (NOTICED, BY_CASE, LEFT, SAME))
+    found = Result(CHAPTER, 70, 5, (NOTICED, BY_CASE, LEFT, SAME, LATE))
     put(tmp_path / "new", found)
     assert kept(tmp_path / "new", CHAPTER) == found.rows
     assert kept(tmp_path, CHAPTER) == kept(None, CHAPTER) == ()
@@ -153,7 +163,10 @@ def test_each_chapter_has_its_tests_and_what_is_read_is_a_change() -> None:
     """Clause: ORCL-MUTANT-9."""
     assert {chapter.package for chapter in CHAPTERS} == set(PACKAGES)
     here = Path(__file__).parent.parent.parent
-    assert all((here / tests).exists() for chapter in CHAPTERS for tests in chapter.tests)
+    named = [tests.partition("::") for chapter in CHAPTERS for tests in chapter.tests]
+    assert all((here / path).exists() for path, _, _ in named)
+    for path, _, test in named:
+        assert f"def {test.partition('[')[0]}(" in (here / path).read_text() if test else True
     for (module, change), known in READ.items():
         assert module.startswith(tuple(f"{name}." for name in PACKAGES))
         assert known.because

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import subprocess
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Annotated
 import msgspec
 import typer
 
+import clers
 from clers.cli.output import Exit, line, note, progress, stop
 from clers.conventions.result import Rejected
 from clers.oracle.mutants.by_chapter import CHAPTERS, Chapter, Result, Row, asked, tried
@@ -52,7 +54,7 @@ def main(
             results = by_cases(results, step)
             for found in results:
                 put(keep, found)
-    for text in page(results, sample, seed, cases=cases):
+    for text in page(results, sample, seed, cases=cases, commit=commit()):
         line(text)
     if not complete:
         line("")
@@ -79,6 +81,16 @@ def put(folder: Path | None, found: Result) -> None:
 def file(folder: Path, chapter: Chapter) -> Path:
     """Where it is kept."""
     return folder / f"{chapter.package}.json"
+
+
+def commit() -> str:
+    """The last commit that changed a package of a chapter; empty if git does not say."""
+    here = Path(clers.__file__).parent
+    folders = [str(here / chapter.package.partition(".")[2]) for chapter in CHAPTERS]
+    command = ("git", "-C", str(here), "log", "-1", "--format=%h", "--", *folders)
+    with suppress(OSError, subprocess.CalledProcessError):
+        return subprocess.run(command, capture_output=True, check=True, text=True).stdout.strip()
+    return ""
 
 
 def by_cases(results: Sequence[Result], step: Step) -> list[Result]:

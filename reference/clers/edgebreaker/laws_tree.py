@@ -34,7 +34,7 @@ def sides_keep_table(surface: Surface) -> Verdict:
         trace(surface, encoding, outlined(encoding.stream)), encoding.tip_order, strict=True
     ):
         if entry.symbol in TABLE:
-            row = TABLE[entry.symbol]
+            row = S_WITH_RECORD if entry.opens >= 0 else TABLE[entry.symbol]
             closed = tuple(
                 side
                 for side, corner in (

@@ -2,7 +2,7 @@
 
 import importlib
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final
@@ -62,13 +62,14 @@ def over(
     plan: Plan, total: int, sample: Sequence[Drawn], step: Callable[[str], None]
 ) -> Report | str:
     """Try these of so many mutants, as `run` does. Clause: TOOL-MUTATION-3."""
-    known = _baseline(plan)
+    known = _baseline(plan, sample)
     if isinstance(known, str):
         return known
     for name in known.loaded:
         with suppress(ImportError):
             importlib.import_module(name)
-    known = _steady(plan, known)
+    asked = {name for drawn in sample for name in reached(drawn, known)}
+    known = _steady(plan, known, asked)
     if not known.tests:
         return "no test passes"
     judged: dict[Drawn, Trial] = {}
@@ -102,11 +103,13 @@ def _judged(drawn: Drawn, found: Trial) -> Judged:
     return Judged(drawn.subject.module, drawn.mutant, change, found.fate, found.by)
 
 
-def _baseline(plan: Plan) -> Baseline | str:
-    """Run the tests once, in a child, for nothing of the package is to stay imported."""
-    child = start(
-        lambda _: baseline(plan.subjects, plan.root, plan.tests), Limits(plan.memory, 3600.0)
-    )
+def _baseline(plan: Plan, sample: Sequence[Drawn]) -> Baseline | str:
+    """Run the tests once, in a child, for nothing of the package is to stay imported.
+
+    Lines are noted of the modules with drawn mutants only: to note them is what takes the time.
+    """
+    traced = tuple({drawn.subject.module: drawn.subject for drawn in sample}.values())
+    child = start(lambda _: baseline(traced, plan.root, plan.tests), Limits(plan.memory, 3600.0))
     while not any(answers([child])):
         pass
     answer = finish(child)
@@ -116,12 +119,14 @@ def _baseline(plan: Plan) -> Baseline | str:
     return known if known.tests else "no test passes"
 
 
-def _steady(plan: Plan, known: Baseline) -> Baseline:
-    """Try the unchanged source as if it were a mutant, without the tests that fail then."""
+def _steady(plan: Plan, known: Baseline, asked: Collection[str]) -> Baseline:
+    """Try the unchanged source as if it were a mutant, without the tests that fail then.
+
+    Only the tests that some mutant will be asked are tried: `asked`.
+    """
     unchanged = plan.subjects[0]
     left_out: list[str] = []
-    while len(left_out) < len(known.tests):
-        names = [name for name in known.tests if name not in left_out]
+    while names := [name for name in known.tests if name in asked and name not in left_out]:
         seconds = limits(names, dict.fromkeys(names, 0), known)
         child = _start(plan, unchanged, unchanged.source, seconds)
         found = _answer(child)

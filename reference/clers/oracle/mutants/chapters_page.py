@@ -11,12 +11,18 @@ from clers.oracle.mutants.by_chapter import Result, Row
 from clers.oracle.mutants.unnoticed import Kind
 
 HEAD: Final = (
-    "| chapter | mutants | drawn | by its tests | else by cases | left | score | but equivalent |"
+    "| chapter | mutants | drawn | by its tests | else by cases | left "
+    "| score at first | score | but equivalent |"
 )
 
 
-def page(results: Sequence[Result], sample: int, seed: int, *, cases: bool = True) -> Iterator[str]:
-    """The lines of the page: how it was made, a table of counts, what nothing noticed."""
+def page(
+    results: Sequence[Result], sample: int, seed: int, *, cases: bool = True, commit: str = ""
+) -> Iterator[str]:
+    """The lines of the page: how it was made, a table of counts, what was noticed late or never.
+
+    `commit` is the last one that changed a package of a chapter, if that is known.
+    """
     yield "# Mistakes that a tool makes, by chapter"
     yield ""
     yield (
@@ -32,11 +38,12 @@ def page(results: Sequence[Result], sample: int, seed: int, *, cases: bool = Tru
     today = datetime.now(UTC)
     yield (
         f"clers {__version__}; {today.day} {today:%B %Y}; Python {platform.python_version()}, "
-        f"{platform.system()} {platform.machine()}; kernels interpreted."
+        f"{platform.system()} {platform.machine()}; kernels interpreted"
+        + (f"; the packages as commit {commit} left them." if commit else ".")
     )
     yield ""
     yield HEAD
-    yield "| --- " + "| ---: " * 7 + "|"
+    yield "| --- " + "| ---: " * 8 + "|"
     for result in results:
         yield row_of(result.chapter.name, [result])
     if len(results) > 1:
@@ -44,14 +51,22 @@ def page(results: Sequence[Result], sample: int, seed: int, *, cases: bool = Tru
     yield ""
     yield (
         "The score is the part of those drawn that tests or cases notice. In the last column those "
-        "that are equivalent, as far as anybody can see, do not count."
+        "that are equivalent, as far as anybody can see, do not count. The score at first is "
+        "without those that an earlier run had left (`--keep`), and that are noticed since: what "
+        "does so is below. Where a package changes it has other mutants, and so another draw."
     )
+    late = [row for result in results for row in result.late]
+    if late:
+        yield ""
+        yield "## What was noticed late"
+    for row in late:
+        yield from shown(row, f"now by `{row.by}`")
     left = [row for result in results for row in result.left]
     if left:
         yield ""
         yield "## What nothing noticed"
     for row in left:
-        yield from survivor(row)
+        yield from shown(row, reason(row))
 
 
 def row_of(name: str, results: Sequence[Result]) -> str:
@@ -66,6 +81,7 @@ def row_of(name: str, results: Sequence[Result]) -> str:
         sum(result.by_tests for result in results),
         sum(result.by_cases for result in results),
         len(left),
+        percent(tried - len(left) - sum(len(result.late) for result in results), tried),
         percent(tried - len(left), tried),
         percent(tried - len(left), tried - kinds[Kind.EQUIVALENT]),
     )
@@ -77,11 +93,15 @@ def percent(part: int, whole: int) -> str:
     return f"{100 * part / whole:.1f} %" if whole else "100.0 %"
 
 
-def survivor(row: Row) -> Iterator[str]:
-    """A change that nothing noticed, and why."""
-    kind, because = ("not read yet", "") if row.why is None else (row.why.kind, row.why.because)
+def reason(row: Row) -> str:
+    """Why nothing noticed a change, if somebody has read it."""
+    return "**not read yet**" if row.why is None else f"**{row.why.kind}**; {row.why.because}"
+
+
+def shown(row: Row, what: str) -> Iterator[str]:
+    """A change, and what became of it."""
     yield ""
-    yield f"`{row.module}`: **{kind}**" + (f"; {because}" if because else "")
+    yield f"`{row.module}`: {what}"
     yield ""
     yield "```diff"
     yield row.difference

@@ -47,6 +47,20 @@ READ: Final[Mapping[tuple[str, str], Why]] = {
         "+ numbers = decoded(automaton.tables, automaton.context, max(count, (-1)), longest, of)",
     ): Why(Kind.EQUIVALENT, "the kernel counts up to it, and begins with 0"),
     (
+        "clers.complexes.corner_table",
+        "- if 0 < given.faces <= limits.faces and given.vertices <= limits.vertices: "
+        "+ if 0 <= given.faces <= limits.faces and given.vertices <= limits.vertices:",
+    ): Why(
+        Kind.EQUIVALENT,
+        "of no faces the kernels give no surface, as more vertices than corners are none, and the "
+        "clauses say why",
+    ),
+    (
+        "clers.complexes.structures.half_edge_definition",
+        "- links = chain(of.next, of.previous, of.twin, of.of_vertex, of.of_face) "
+        "+ links = chain(of.next, of.twin, of.previous, of.of_vertex, of.of_face)",
+    ): Why(Kind.EQUIVALENT, "what is chained becomes a set"),
+    (
         "clers.edgebreaker.examples",
         "- (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (2, 5, 3), (2, 3, 0), "
         "+ (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), ((2, 3, 0)), ((2, 5, 3)),",
