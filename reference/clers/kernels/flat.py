@@ -1,17 +1,12 @@
 """Flat arrays of integers that are all the same."""
 
-from librt.vecs import extend, vec
-from mypy_extensions import i64, u8
+from librt.vecs import vec
+from mypy_extensions import i32, i64, u8
 
 
 def repeated(number: i64, length: i64) -> vec[i64]:
-    """So many times the number: as much again as is there is copied at once. Linear."""
-    if length == 0:
-        return vec[i64]()
-    found = vec[i64]([number], capacity=length)
-    while 2 * len(found) <= length:
-        found = extend(found, found)
-    return extend(found, found[: length - len(found)])
+    """So many times the number. Linear."""
+    return vec[i64]([number] * length)
 
 
 def zeros(length: i64) -> vec[i64]:
@@ -27,3 +22,8 @@ def minus_ones(length: i64) -> vec[i64]:
 def flags(length: i64) -> vec[u8]:
     """So many bytes, all zero."""
     return vec[u8](bytes(length))
+
+
+def narrow_zeros(length: i64) -> vec[i32]:
+    """So many zeros of 32 bits."""
+    return vec[i32]([i32(0)] * length)
