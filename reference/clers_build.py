@@ -33,6 +33,7 @@ class BuildKernels(build_ext):
         extensions = [extension for extension in made if isinstance(extension, Extension)]
         for extension in extensions:
             extension.optional = True
+            extension.extra_compile_args += ["-fno-semantic-interposition"]
             for source in extension.sources:
                 _borrow_arrays(Path(source))
         # setuptools names its class twice, and means the same.

@@ -31,9 +31,15 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "interpreted: runs where the kernels are interpreted")
 
 
+def pytest_collection() -> None:
+    """What is made while tests are collected stays: to look for garbage in it is lost time."""
+    gc.disable()
+
+
 def pytest_collection_finish() -> None:
     """All that is there now stays: what collects garbage, as timing does, need not look at it."""
     gc.freeze()
+    gc.enable()
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -1,5 +1,6 @@
 """Both builds give the same bits: how that is compared, and some meshes."""
 
+import ast
 import os
 import subprocess
 import sys
@@ -10,7 +11,7 @@ import pytest
 from clers.complexes.corner_table import face_list
 from clers.complexes.topology import components
 from clers.edgebreaker.encode import encode
-from clers.kernels import COMPILED
+from clers.kernels import COMPILED, HERE
 from clers.oracle.builds import damaged, first_difference, of_meshes, random_mesh, spoilt
 
 
@@ -87,3 +88,29 @@ def test_what_is_damaged_is_another() -> None:
     spoiled = list(spoilt(faces, Random(2)))
     assert [len(of.faces) - len(faces.faces) for of in spoiled] == [-1, 0, 0]
     assert all(of != faces for of in spoiled)
+
+
+def shifted_literals(source: str) -> list[str]:
+    """Literals that a source shifts up by a variable; names in capitals are literals as well."""
+    return [
+        ast.unparse(node)
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.BinOp)
+        and isinstance(node.op, ast.LShift)
+        and constant(node.left)
+        and not constant(node.right)
+    ]
+
+
+def constant(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) or (isinstance(node, ast.Name) and node.id.isupper())
+
+
+def test_no_literal_is_shifted_up_by_a_variable() -> None:
+    """TOOL-BUILD-6: machine code would do that in 32 bits."""
+    assert shifted_literals("a = 1 << n\nb = n << 1\nc = 1 << ROOM\nd = ONE << n") == [
+        "1 << n",
+        "ONE << n",
+    ]
+    for path in HERE.glob("*.py"):
+        assert shifted_literals(path.read_text("utf-8")) == [], path.name

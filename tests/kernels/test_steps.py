@@ -48,11 +48,11 @@ def handles(size: int) -> FaceList:
 
 PINNED: Final[Mapping[str, Mapping[str, float]]] = {
     "sphere": {
-        "automaton": 29.38,
-        "foretelling": 495.31,
+        "automaton": 36.95,
+        "foretelling": 368.82,
         "gluing": 67.65,
-        "interval": 241.0,
-        "loops": 59.57,
+        "interval": 177.91,
+        "loops": 75.21,
         "naming": 56.08,
         "order": 24.52,
         "scan": 18.71,
@@ -62,12 +62,12 @@ PINNED: Final[Mapping[str, Mapping[str, float]]] = {
         "walk": 61.28,
     },
     "handles": {
-        "automaton": 30.4,
+        "automaton": 37.01,
         "closing": 45.49,
-        "foretelling": 461.78,
+        "foretelling": 354.21,
         "gluing": 34.46,
-        "interval": 126.56,
-        "loops": 59.71,
+        "interval": 92.3,
+        "loops": 75.0,
         "naming": 28.22,
         "order": 24.49,
         "scan": 19.38,

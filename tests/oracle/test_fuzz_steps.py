@@ -1,6 +1,7 @@
 """The single steps of shrinking, and what an input requires."""
 
 from collections.abc import Iterator
+from functools import cache
 from itertools import islice
 
 import msgspec
@@ -166,13 +167,19 @@ def test_the_smallest_surfaces() -> None:
     assert pairs == {2: (2, 0, 2), 3: (2, 0, 2), 4: (2, 0, 2), 5: (2, 0, 1), 8: (2, 0, 0)}
 
 
-CLOSED = sample(closed_surfaces(40, (0, 2), (1, 1)), 12, 3)
-OPEN = sample(surfaces(30, (0, 1), (1, 3), (1, 1)), 12, 3)
+@cache
+def _closed() -> tuple[Surface, ...]:
+    return sample(closed_surfaces(40, (0, 2), (1, 1)), 12, 3)
+
+
+@cache
+def _open() -> tuple[Surface, ...]:
+    return sample(surfaces(30, (0, 1), (1, 3), (1, 1)), 12, 3)
 
 
 def test_contractions_keep_the_topology() -> None:
     """ORCL-SHRINK-3, OPER-CONTRACT-1: with curves and without, many at once or one."""
-    for of in (*CLOSED, *OPEN):
+    for of in (*_closed(), *_open()):
         for number, net in enumerate(contracted(net_of(of))):
             assert totals(as_surface(net)) == totals(of)
             assert len(net.faces) < of.faces
@@ -183,7 +190,7 @@ def test_contractions_keep_the_topology() -> None:
 def test_flips_then_contractions_keep_the_topology() -> None:
     """ORCL-SHRINK-3."""
     done = 0
-    for of in (*CLOSED, *OPEN):
+    for of in (*_closed(), *_open()):
         for net in islice(flipped_and_contracted(net_of(of)), 10):
             assert totals(as_surface(net)) == totals(of)
             done += 1
@@ -217,7 +224,7 @@ def test_cuts_take_a_handle_or_cut_in_two() -> None:
 def test_filling_closes_a_curve() -> None:
     """ORCL-SHRINK-3: with a face, or with a cone; and it is smaller than it was."""
     done = 0
-    for of in OPEN:
+    for of in _open():
         for net in filled(net_of(of)):
             pieces, genus, curves = totals(of)
             assert totals(as_surface(net)) == (pieces, genus, curves - 1)
@@ -300,7 +307,7 @@ def test_scripts_lose_operators_and_get_smaller_numbers() -> None:
 
 def test_what_is_isomorphic_is_renumbered_only() -> None:
     """ORCL-SHRINK-2: numbering makes the faces' list least, and keeps the surface."""
-    for of in OPEN:
+    for of in _open():
         net = numbered(net_of(of))
         built = surface(FaceList(net.faces, net.vertices))
         assert isinstance(built, Accepted)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final, TypeVar
 
-from clers.arithmetic.bits import Bits, pack
+from clers.arithmetic.bits import Bits
 from clers.arithmetic.by_automaton import Started, as_bytes, tables_of
 from clers.arithmetic.steps import PRECISION
 from clers.conventions.clause import Clause
@@ -36,7 +36,13 @@ def encode(model: Model, symbols: Sequence[int]) -> Accepted[Bits] | Rejected:
         if tables is None or numbers is None
         else _write_by(tables, numbers, to)
     )
-    return fault if fault is not None else Accepted(pack(to.finish()))
+    return fault if fault is not None else Accepted(finished(to))
+
+
+def finished(to: Encoder) -> Bits:
+    """The bits that were written, and the last ones. Clause: ARITH-END-1."""
+    data = to.finish()
+    return Bits(data, to.length)
 
 
 def _write(model: Model, symbols: Sequence[int], to: Encoder) -> Rejected | None:
@@ -95,7 +101,7 @@ def decode_bytes(model: Model, bits: Bits, count: int) -> Accepted[bytes] | Reje
     tables = tables_of(model)
     if tables is None or bits.length < SHORTEST:
         return and_then(decode(model, bits, count), lambda found: Accepted(bytes(found)))
-    of = Decoder(bits.values())
+    of = Decoder(bits.data)
     found = _read_by(tables, of, bits, count, bits.length)
     return and_then(found, lambda numbers: ended(numbers, of, bits))
 
@@ -141,7 +147,7 @@ def _read(model: Model, bits: Bits, count: int, longest: int) -> Accepted[Readin
     """
     if longest < SHORTEST:
         return truncated(0, bits)
-    of = Decoder(bits.values())
+    of = Decoder(bits.data)
     tables = tables_of(model)
     if tables is not None:
         numbers = _read_by(tables, of, bits, count, longest)

@@ -10,8 +10,8 @@ from typing import Final
 from librt.vecs import vec
 from mypy_extensions import i64
 
-from clers.arithmetic.bits import Bits, pack
-from clers.arithmetic.coder import ended, truncated
+from clers.arithmetic.bits import Bits
+from clers.arithmetic.coder import ended, finished, truncated
 from clers.codes.code import NOTHING, Code, Shape
 from clers.codes.implied import stranger
 from clers.codes.logistic import RATE, SQUASH, STRETCH
@@ -53,9 +53,8 @@ def foretelling(shape: Shape, count: int = 0) -> Foretelling:
         vec[i64](min(closing.passed, FAR) for closing in seen),
         vec[i64](int(closing.side is Side.LEFT) for closing in seen),
         vec[i64](min(closing.between, FAR) for closing in seen),
-        max(0, min(count, EXPECTED)),
     )
-    return Foretelling(loops, _STRETCH, _SQUASH, _RATE)
+    return Foretelling(loops, _STRETCH, _SQUASH, _RATE, max(0, min(count, EXPECTED)))
 
 
 def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
@@ -72,7 +71,7 @@ def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
         detail = "no loop of a surface lets this symbol be undone"
         where = AtSymbol(at)
         return Rejected(Reason.NOT_IN_ALPHABET, Clause.CODE_CONTEXT_3, where, detail)
-    return Accepted(pack(to.finish()))
+    return Accepted(finished(to))
 
 
 def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
@@ -80,7 +79,7 @@ def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
 
     Linear. Clauses: CODE-CONTEXT-1, CODE-CONTEXT-8.
     """
-    of = Decoder(bits.values())
+    of = Decoder(bits.data)
     by = foretelling(shape, count)
     found = decoded(count, bits.length, by, of)
     if len(found) < count or of.at - AHEAD > bits.length:

@@ -7,8 +7,8 @@ so that all words with as many ones cost the same, up to what the coder rounds.
 
 from typing import Final
 
-from clers.arithmetic.bits import Bits, pack
-from clers.arithmetic.coder import SHORTEST, ended, truncated
+from clers.arithmetic.bits import Bits
+from clers.arithmetic.coder import SHORTEST, ended, finished, truncated
 from clers.codes.closure import sphere_of
 from clers.codes.code import Code, Guarantee, Shape
 from clers.codes.tree_word import tree_word
@@ -44,7 +44,7 @@ def _bits(surface: Surface) -> Accepted[Bits] | Rejected:
     ones = surface.vertices - 4
     to = Encoder()
     encoded(tree_word(surface)[len(FRONT) : -len(BACK)], 3 * ones, ones, to)
-    return Accepted(pack(to.finish()))
+    return Accepted(finished(to))
 
 
 def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
@@ -63,7 +63,7 @@ def _read(bits: Bits, ones: int) -> Accepted[bytes] | Rejected:
         return truncated(0, bits)
     if 4 * ones > MAXIMUM_TOTAL:
         return over_maximum(0, 4 * ones)
-    of = Decoder(bits.values())
+    of = Decoder(bits.data)
     found = decoded(3 * ones, ones, bits.length, of)
     if len(found) < 4 * ones:
         return truncated(len(found), bits)

@@ -4,7 +4,7 @@ There are at most 2^30 bits in the urn (INFO-MODEL-2).
 """
 
 from librt.strings import BytesWriter
-from mypy_extensions import i64
+from mypy_extensions import i64, u8
 
 from clers.kernels.interval import AHEAD, Decoder, Encoder
 
@@ -35,5 +35,5 @@ def decoded(zeros: i64, ones: i64, longest: i64, of: Decoder) -> bytes:
         zeros -= 1 - bit
         if of.at - AHEAD > longest:
             break
-        out.append(bit)
+        out.append(u8(bit))
     return out.getvalue()

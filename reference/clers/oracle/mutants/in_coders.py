@@ -16,22 +16,22 @@ MUTANTS: Final = (
         "lower-half-too-wide",
         Clause.ARITH_SHIFT_1,
         INTERVAL,
-        "            if high < HALF:\n                self.out.append(0)",
-        "            if high <= HALF:\n                self.out.append(0)",
+        """\
+        shared: i64 = 32 - int(low ^ high).bit_length()
+        if shared > 0:
+""",
+        """\
+        shared: i64 = 32 - int(low ^ (high - 1 if high == HALF else high)).bit_length()
+        if shared > 0:
+""",
         "An interval that ends in the first number of the higher half is shifted as lower.",
     ),
     Mutant(
         "underflow-lost",
         Clause.ARITH_SHIFT_1,
         INTERVAL,
-        """\
-            elif low >= QUARTER and high < THREE_QUARTERS:
-                self.pending += 1
-""",
-        """\
-            elif low >= QUARTER and high < THREE_QUARTERS and high < low:
-                self.pending += 1
-""",
+        "        if low >= QUARTER and high < THREE_QUARTERS:\n",
+        "        if low >= QUARTER and high < THREE_QUARTERS and high < low:\n",
         "A central half is not shifted.",
     ),
     Mutant(
@@ -39,12 +39,12 @@ MUTANTS: Final = (
         Clause.ARITH_SHIFT_1,
         INTERVAL,
         """\
-            elif low >= QUARTER and high < THREE_QUARTERS:
-                self.pending += 1
+        if low >= QUARTER and high < THREE_QUARTERS:
+            central: i64 = central_shifts(low, high)
 """,
         """\
-            elif low >= QUARTER and high <= THREE_QUARTERS:
-                self.pending += 1
+        if low >= QUARTER and high <= THREE_QUARTERS:
+            central: i64 = central_shifts(low, high) + (high == THREE_QUARTERS)
 """,
         "An interval that ends in the first number of the last quarter is shifted as central.",
     ),
@@ -52,32 +52,39 @@ MUTANTS: Final = (
         "pending-not-reset",
         Clause.ARITH_SHIFT_2,
         INTERVAL,
-        "                    self.repeat(1)\n",
-        '                    self.out.write(b"\\1" * self.pending)\n',
+        """\
+            while self.pending > 0:
+                self.pending -= 1
+                self.hold(1 - first, 1)
+""",
+        """\
+            for _ in range(self.pending):
+                self.hold(1 - first, 1)
+""",
         "Pending bits are sent again.",
     ),
     Mutant(
         "pending-bits-alike",
         Clause.ARITH_SHIFT_2,
         INTERVAL,
-        "                    self.repeat(0)\n",
-        "                    self.repeat(1)\n",
-        "Pending bits after a 1 are not its opposite.",
+        "self.hold(1 - first, 1)",
+        "self.hold(first, 1)",
+        "Pending bits are not the opposite of the bit before them.",
     ),
     Mutant(
         "last-bit-missing",
         Clause.ARITH_END_1,
         INTERVAL,
-        "        self.pending += 1\n        self.repeat(1 - last)\n",
-        "        self.repeat(1 - last)\n",
+        "        self.pending += 1\n        self.send(last, 1)\n",
+        "        self.send(last, 1)\n",
         "The last bit is missing.",
     ),
     Mutant(
         "bit-too-many-at-end",
         Clause.ARITH_END_1,
         INTERVAL,
-        "        self.pending += 1\n        self.repeat(1 - last)\n",
-        "        self.pending += 2\n        self.repeat(1 - last)\n",
+        "        self.pending += 1\n        self.send(last, 1)\n",
+        "        self.pending += 2\n        self.send(last, 1)\n",
         "One bit more than needed ends a message.",
     ),
     Mutant(
@@ -93,17 +100,11 @@ MUTANTS: Final = (
         Clause.ARITH_NARROW_1,
         INTERVAL,
         """\
-            high = low + width * upto // total - 1
-        if below > 0:
-            low += width * below // total
-        self.settle(low, high)
+        self.settle(low + width * below // total, low + width * upto // total - 1)
 
     def decide(self, yes""",
         """\
-            high = low + width // total * upto - 1
-        if below > 0:
-            low += width // total * below
-        self.settle(low, high)
+        self.settle(low + width // total * below, low + width // total * upto - 1)
 
     def decide(self, yes""",
         "The encoder divides before it multiplies.",

@@ -6,9 +6,11 @@ it keeps EB-GRAMMAR-9, that the result is a simplicial complex, a decoder has to
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from random import Random
 from typing import Final
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from clers.edgebreaker.stream import Kind, Record, Side, Stream
 
@@ -18,8 +20,7 @@ Loop = tuple[int, ...]
 SHORTEST: Final = 3
 
 
-@dataclass(frozen=True, slots=True)
-class Closed:
+class Closed(Struct, frozen=True):
     """A record, its symbols counted from the end of the word."""
 
     kind: Kind
@@ -28,8 +29,7 @@ class Closed:
     side: Side
 
 
-@dataclass(frozen=True, slots=True)
-class Partial:
+class Partial(Struct, frozen=True):
     """The end of a word: loops with gates (the last on top), loops beside them, and records.
 
     `ends[i]` is the last symbol of the branch behind gate i. `with_boundary` counts the components
@@ -172,7 +172,11 @@ def random_streams(seed: int, symbols: int) -> Iterator[Stream]:
             ways = list(before(end))
             new = [way for way in ways if len(way.gates) > len(end.gates)]
             recorded = [way for way in ways if len(way.records) > len(end.records)]
-            plain = [way for way in ways if way not in new and way not in recorded]
+            plain = [
+                way
+                for way in ways
+                if len(way.gates) <= len(end.gates) and len(way.records) <= len(end.records)
+            ]
             x = random.random()
             kinds = recorded if x < 0.1 else new if x < 0.25 else plain
             kinds = kinds or plain or new
