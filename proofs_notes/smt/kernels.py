@@ -114,23 +114,20 @@ LEMMAS = (
         (PAST,), And(0 <= KEY, KEY < 1 << 36),
     ),
     Lemma(
-        "entry-fits", "with the number of its slots it has 64 bits with sign and is not 0",
-        (PAST, 1 <= number, number < 1 << 27),
-        And(signed64(KEY * (1 << 27) + number), KEY * (1 << 27) + number > 0),
-    ),
-    Lemma(
-        "entry-apart", "it is taken apart again",
-        (PAST, 0 <= number, number < 1 << 27),
-        And((KEY * (1 << 27) + number) / (1 << 27) == KEY,
-            (KEY * (1 << 27) + number) % (1 << 27) == number),
-    ),
-    Lemma(
         "spread-stays", "its exclusive or with its own upper digits is below 2^36",
         (ULT(word, 1 << 36),), ULT(word ^ LShR(word, 18), 1 << 36),
     ),
     Lemma(
         "spread-fits", "and that times 94906267 has 64 bits with sign",
         (0 <= mixed, mixed < 1 << 36), signed64(mixed * 94906267),
+    ),
+    Lemma(
+        "mark-fits", "what of this is above the lower 56 digits fits seven bits",
+        (0 <= mixed, mixed < 1 << 36), within(0, 127, mixed * 94906267 / (1 << 24) / (1 << 32)),
+    ),
+    Lemma(
+        "slots-fit", "the number of a slot has 32 bits with sign",
+        (0 <= number, number < 1 << 26), within(0, (1 << 31) - 1, 4 * (30736 + number) + 3),
     ),
     Lemma(
         "prediction-fits", "q_a + q_b - q_o has 32 bits with sign, and the residual has",
@@ -183,9 +180,8 @@ CONTROLS = (
         within(-(1 << 31), (1 << 31) - 1, W0 + W1 + W2 + W3 + W4),
     ),
     Control(
-        "entry-with-more", "thirteen symbols would fit an entry too",
-        (0 <= past, past < 6**13, within(0, 15, count), 1 <= number, number < 1 << 27),
-        signed64(KEY * (1 << 27) + number),
+        "mark-fits-6", "what is above the lower 56 digits fits six bits",
+        (0 <= mixed, mixed < 1 << 36), within(0, 63, mixed * 94906267 / (1 << 24) / (1 << 32)),
     ),
     Control(
         "spread-stays-34", "the exclusive or is below 2^34",

@@ -321,6 +321,7 @@ def test_a_rejection_in_full() -> None:
         (b'{"op":7,"id":9}', 9),
         (b'{"op":"echo","id":9,"in":3}', 9),
         (b'{"op":"hello","id":9}', 9),
+        (b'{"op":"hello","id":0,"protocol":2,"spec":"9","suite":"","more":1}', 0),
         (b'{"op":"bye","id":9}', 9),
         (b"rubbish", None),
         (b"", None),

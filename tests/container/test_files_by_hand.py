@@ -7,7 +7,8 @@ import pytest
 from by_hand import TETRAHEDRON, WORD, crc, file, section
 
 from clers.codes.registry import CodeName
-from clers.complexes.face_list import Limits
+from clers.complexes.corner_table import surface
+from clers.complexes.face_list import FaceList, Limits
 from clers.container.contents import VERSION as SPEC_VERSION
 from clers.container.file import decode, encode, inspect, options_of
 from clers.container.head import Head, PositionCoding
@@ -18,7 +19,8 @@ from clers.container.options import Exact, InBits, OnLattice, Options, WithinErr
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Fault, Reason
 from clers.conventions.result import Accepted, Rejected
-from clers.conventions.where import AtByte
+from clers.conventions.where import AtByte, AtVertex
+from clers.edgebreaker.encode import encode as encode_walk
 from clers.edgebreaker.examples import ANNULUS, TORUS
 from clers.edgebreaker.examples import TETRAHEDRON as SURFACE
 from clers.geometry.mesh import Mesh
@@ -160,6 +162,17 @@ def test_more_symbols_than_the_limit() -> None:
     assert isinstance(found, Rejected)
     told = (found.reason, found.clause, found.where)
     assert told == (Reason.TOO_MANY_FACES, Clause.FILE_LIMIT_2, AtByte(21, "HEAD"))
+
+
+def test_a_vertex_is_blamed_by_the_number_it_was_given() -> None:
+    """In the order of creation the vertices are 1, 2, 0. Clause: GEOM-LATTICE-3."""
+    alone = surface(FaceList(((0, 1, 2),), 3))
+    assert isinstance(alone, Accepted)
+    assert encode_walk(alone.value).vertex_order == (1, 2, 0)
+    far = Positions(Precision.F64, (1e300, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
+    found = encode(alone.value, far, Options(CodeName.PLAIN, OnLattice(0)))
+    assert isinstance(found, Rejected)
+    assert (found.clause, found.where) == (Clause.GEOM_LATTICE_3, AtVertex(0))
 
 
 def test_positions_for_another_surface_are_not_written() -> None:

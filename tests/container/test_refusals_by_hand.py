@@ -13,6 +13,8 @@ MALFORMED = {
     "empty": (b"", Reason.TRUNCATED_FILE, Clause.FILE_LAYOUT_3, AtByte(0)),
     "bad-magic": (b"\x88" + TETRAHEDRON[1:], Reason.BAD_MAGIC, Clause.FILE_MAGIC_1, AtByte(0)),
     "magic-alone": (MAGIC, Reason.TRUNCATED_FILE, Clause.FILE_LAYOUT_3, AtByte(8)),
+    "seven-other-bytes": (bytes(7), Reason.TRUNCATED_FILE, Clause.FILE_LAYOUT_3, AtByte(0)),
+    "eight-other-bytes": (bytes(8), Reason.BAD_MAGIC, Clause.FILE_MAGIC_1, AtByte(0)),
     "no-section": (MAGIC + VERSION, Reason.BAD_SECTION, Clause.FILE_SECTION_5, AtByte(9)),
     "header-seal": (
         TETRAHEDRON[:17] + b"\0" + TETRAHEDRON[18:],

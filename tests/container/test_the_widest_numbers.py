@@ -6,9 +6,9 @@ import pytest
 
 from clers.arithmetic.bits import pack
 from clers.container.layout import Layout, Window, read, write
-from clers.container.numbers import signed, varint
+from clers.container.numbers import U32, signed, varint
 from clers.container.places import LATTICE
-from clers.container.section import HEADER, SECTION, sealed
+from clers.container.section import HEADER, LONGEST, SECTION, sealed
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 from clers.geometry.box import Box
@@ -63,3 +63,8 @@ def test_the_fewest_bytes() -> None:
     assert write(SECTION, ((b"HEAD", 0), b"")) == write(HEADER, (b"HEAD", 0)) + bytes(4)
     empty: Layout[int] = sealed(varint(7))
     assert empty.least == len(write(empty, 0)) == 5
+
+
+def test_the_longest_payload_is_what_its_length_can_say() -> None:
+    """Clause: FILE-SECTION-1."""
+    assert read(U32, Window(b"\xff" * 4, 4)) == Accepted(LONGEST)

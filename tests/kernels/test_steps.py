@@ -50,10 +50,10 @@ def handles(size: int) -> FaceList:
 PINNED: Final[Mapping[str, Mapping[str, float]]] = {
     "sphere": {
         "automaton": 36.95,
-        "foretelling": 495.31,
+        "foretelling": 368.82,
         "gluing": 67.65,
         "interval": 177.91,
-        "loops": 59.57,
+        "loops": 75.21,
         "naming": 56.08,
         "order": 24.52,
         "scan": 18.71,
@@ -65,10 +65,10 @@ PINNED: Final[Mapping[str, Mapping[str, float]]] = {
     "handles": {
         "automaton": 37.01,
         "closing": 45.49,
-        "foretelling": 461.78,
+        "foretelling": 354.21,
         "gluing": 34.46,
         "interval": 92.3,
-        "loops": 59.71,
+        "loops": 75.0,
         "naming": 28.22,
         "order": 24.49,
         "scan": 19.38,

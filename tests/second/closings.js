@@ -41,8 +41,7 @@ function closingsOf(word, records) {
   let splitAfter = splits.length; // the S of the record met before, going backwards
   for (let record = records.length - 1; record >= 0; record -= 1) {
     const { kind, s, at, side } = records[record];
-    const increasing = record === 0 || s > records[record - 1].s;
-    const good = s >= 0 && s < splits.length && increasing && at >= 0 && at < closers.length
+    const good = s >= 0 && s < splitAfter && at >= 0 && at < closers.length
       && SIDE_SYMBOLS[side].includes(word[closers[at]]) && closers[at] > splits[s];
     if (!good) reject('not-representable', 'CODE-HAND-2', { record });
     const between = placesBefore(edges[side], closers[at]) - placesBefore(edges[side], splits[s]);
@@ -50,6 +49,12 @@ function closingsOf(word, records) {
     splitAfter = s;
   }
   return closings;
+}
+
+/** CODE-HAND-3: the numbers of closings, before anything is known of the word (ORCL-OP-6). */
+function checkNumbers(closings) {
+  const place = closings.findIndex(({ passed, between }) => passed < 0 || between < 0);
+  if (place >= 0) reject('record-out-of-range', 'CODE-HAND-3', { record: closings.length - 1 - place });
 }
 
 /** CODE-HAND-3: from closings back to records, by increasing s. */
@@ -115,4 +120,4 @@ function decodeClosings(bits, count, symbols) {
   return closings;
 }
 
-module.exports = { closingsOf, recordsOf, encodeClosings, decodeClosings };
+module.exports = { checkNumbers, closingsOf, recordsOf, encodeClosings, decodeClosings };

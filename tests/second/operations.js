@@ -3,6 +3,7 @@
 
 const arithmetic = require('./arithmetic.js');
 const { bitsFromOutside } = require('./bits.js');
+const { checkNumbers } = require('./closings.js');
 const codes = require('./codes/index.js');
 const { classify } = require('./components.js');
 const { decodeFile, encodeFile } = require('./container/file.js');
@@ -41,8 +42,8 @@ const OPERATIONS = {
   },
 
   'arithmetic.decode'({ coder, model, bits, count }) {
+    const from = modelFromOutside(model); // ORCL-OP-4: before the bits
     const read = bitsFromOutside(bits.hex, bits.length);
-    const from = modelFromOutside(model);
     checkSymbols(count);
     return { symbols: CODERS[coder].decodeMessage(from, read, count) };
   },
@@ -69,6 +70,7 @@ const OPERATIONS = {
   'code.decode'({ code, bits, symbols, components_with_boundary: boundaryComponents, closings }) {
     codes.codeNamed(code);
     checkSymbols(symbols);
+    checkNumbers(closings);
     const read = bitsFromOutside(bits.hex, bits.length);
     return { word: codes.decodeWord(code, read, { symbols, boundaryComponents, closings }) };
   },

@@ -54,7 +54,8 @@ def main(
             results = by_cases(results, step)
             for found in results:
                 put(keep, found)
-    for text in page(results, sample, seed, cases=cases, commit=commit()):
+    known = keep is not None
+    for text in page(results, sample, seed, cases=cases, kept=known, commit=commit()):
         line(text)
     if not complete:
         line("")

@@ -53,9 +53,8 @@ def foretelling(shape: Shape, count: int = 0) -> Foretelling:
         vec[i64](min(closing.passed, FAR) for closing in seen),
         vec[i64](int(closing.side is Side.LEFT) for closing in seen),
         vec[i64](min(closing.between, FAR) for closing in seen),
-        max(0, min(count, EXPECTED)),
     )
-    return Foretelling(loops, _STRETCH, _SQUASH, _RATE)
+    return Foretelling(loops, _STRETCH, _SQUASH, _RATE, max(0, min(count, EXPECTED)))
 
 
 def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:

@@ -92,16 +92,24 @@ def decode(
 
     Rejects bits no encoder writes. Clauses: CODE-NAME-1, CODE-NAME-2, CODE-IMPLIED-2, CODE-HAND-3.
     """
-    negative = next((i for i, c in enumerate(seen) if min(c.passed, c.between) < 0), None)
-    if negative is not None:
-        where, detail = AtRecord(len(seen) - 1 - negative), "a negative number"
-        return Rejected(Reason.RECORD_OUT_OF_RANGE, Clause.CODE_HAND_3, where, detail)
+    fault = below_zero(seen)
+    if fault is not None:
+        return fault
     head = implied(components_with_boundary)
     count = symbols - len(head)
     if count < 0:
         return Rejected(Reason.EMPTY_WORD, Clause.CODE_IMPLIED_2, detail=f"{symbols} symbols")
     rest = CODES[code].decode(bits, count, Shape(head, seen))
     return Accepted(head + rest.value) if isinstance(rest, Accepted) else rest
+
+
+def below_zero(seen: tuple[Closing, ...]) -> Rejected | None:
+    """The first closing with a negative number, before the bits are looked at. CODE-HAND-3."""
+    negative = next((i for i, c in enumerate(seen) if min(c.passed, c.between) < 0), None)
+    if negative is None:
+        return None
+    where, detail = AtRecord(len(seen) - 1 - negative), "a negative number"
+    return Rejected(Reason.RECORD_OUT_OF_RANGE, Clause.CODE_HAND_3, where, detail)
 
 
 def most_symbols(code: CodeName, bits: int) -> int:

@@ -13,6 +13,9 @@ Number = (
 )
 """An integer of any size. Clause: ORCL-VALUE-1."""
 
+Small = Annotated[int, Meta(ge=-(1 << 53), le=1 << 53)]
+"""An integer that is never a string. Clause: ORCL-VALUE-1."""
+
 Count = Annotated[int, Meta(ge=0, le=1 << 53)]
 """An integer that counts something."""
 
@@ -218,13 +221,13 @@ class ExactForm(Payload, frozen=True, kw_only=True, tag_field="kind", tag="exact
 class LatticeForm(Payload, frozen=True, kw_only=True, tag_field="kind", tag="lattice"):
     """Move to the lattice of step 2^exponent. Clause: ORCL-OP-7."""
 
-    exponent: int
+    exponent: Small
 
 
 class BitsForm(Payload, frozen=True, kw_only=True, tag_field="kind", tag="bits"):
     """So many bits an axis. Clause: ORCL-OP-7."""
 
-    bits: int
+    bits: Small
 
 
 class ErrorForm(Payload, frozen=True, kw_only=True, tag_field="kind", tag="error"):

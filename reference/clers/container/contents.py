@@ -7,7 +7,7 @@ from clers.arithmetic.bits import Bits
 from clers.codes import handle_data, registry
 from clers.codes.closings import Closing, closings, records
 from clers.container.head import HEAD, Head, PositionCoding, over_limits
-from clers.container.layout import Window, pair, read, write
+from clers.container.layout import Window, read, write
 from clers.container.limits import DEFAULT_FILE_LIMITS, FileLimits
 from clers.container.numbers import REST, U8, raw
 from clers.container.places import BITS, LATTICE
@@ -119,17 +119,29 @@ def open_file(data: bytes, limits: FileLimits = DEFAULT_FILE_LIMITS) -> Accepted
     if len(data) > limits.bytes:
         detail = f"{len(data)} bytes, the limit is {limits.bytes}"
         return Rejected(Reason.TOO_MANY_BYTES, Clause.FILE_LIMIT_1, detail=detail)
-    prologue = pair(raw(len(MAGIC)), U8).read(Window(data, len(data)), 0)
+    prologue = _prologue(data)
     if isinstance(prologue, Rejected):
         return prologue
-    magic, version = prologue.value.value
-    if magic != MAGIC:
-        return Rejected(Reason.BAD_MAGIC, Clause.FILE_MAGIC_1, AtByte(0), magic.hex(" "))
-    if version != VERSION:
-        where = AtByte(len(MAGIC))
-        return Rejected(Reason.UNKNOWN_VERSION, Clause.FILE_MAGIC_2, where, f"version {version}")
-    found = sections(data, prologue.value.offset)
+    found = sections(data, prologue.value)
     return and_then(found, lambda parts: _open(data, parts, limits))
+
+
+def _prologue(data: bytes) -> Accepted[int] | Rejected:
+    """Where the sections of a file begin. Clauses: FILE-MAGIC-1, FILE-MAGIC-2."""
+    window = Window(data, len(data))
+    magic = raw(len(MAGIC)).read(window, 0)
+    if isinstance(magic, Rejected):
+        return magic
+    if magic.value.value != MAGIC:
+        detail = magic.value.value.hex(" ")
+        return Rejected(Reason.BAD_MAGIC, Clause.FILE_MAGIC_1, AtByte(0), detail)
+    version = U8.read(window, magic.value.offset)
+    if isinstance(version, Rejected):
+        return version
+    if version.value.value != VERSION:
+        where, detail = AtByte(len(MAGIC)), f"version {version.value.value}"
+        return Rejected(Reason.UNKNOWN_VERSION, Clause.FILE_MAGIC_2, where, detail)
+    return Accepted(version.value.offset)
 
 
 def _open(

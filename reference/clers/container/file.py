@@ -1,5 +1,6 @@
 """Meshes to files and back: what most callers want of this chapter."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
@@ -25,7 +26,7 @@ from clers.edgebreaker.encode import encode as edgebreaker_encode
 from clers.geometry import quantised
 from clers.geometry.lattice import Quantised, restore
 from clers.geometry.mesh import Mesh, mesh
-from clers.geometry.order import in_creation_order, into_order
+from clers.geometry.order import in_creation_order, in_order, into_order
 from clers.geometry.positions import Positions
 from clers.geometry.quantised import Coded
 
@@ -41,15 +42,27 @@ def encode(
     def store(whole: Mesh) -> Accepted[Stored] | Rejected:
         if whole.positions is None:
             return Accepted(None)
-        ordered = into_order(whole.positions, encoding.vertex_order)
         renumbered = in_creation_order(surface, encoding)
-        return and_then(chosen(options.accuracy, ordered), lambda p: _stored(renumbered, p))
+        # First the choice, so that what it blames is a vertex of the mesh that was given.
+        found = chosen(options.accuracy, whole.positions)
+        return and_then(found, lambda p: _stored(renumbered, _ordered(p, encoding.vertex_order)))
 
     def write(stored: Stored) -> Accepted[bytes] | Rejected:
         faces, vertices = surface.faces, surface.vertices
         return compose(Contents(options.code, faces, vertices, encoding.stream, stored))
 
     return and_then(and_then(mesh(surface, positions), store), write)
+
+
+def _ordered(given: Positions | Quantised, order: Sequence[int]) -> Positions | Quantised:
+    """In the order of creation. Clause: GEOM-ORDER-1."""
+    match given:
+        case Positions():
+            return into_order(given, order)
+        case Quantised(exponent, numbers):
+            return Quantised(exponent, in_order(numbers, order))
+        case _:
+            assert_never(given)
 
 
 def _stored(surface: Surface, given: Positions | Quantised) -> Accepted[Stored] | Rejected:

@@ -139,7 +139,7 @@ def _undo_recorded(outlined: Outline, i: int, here: Branch, draft: Draft) -> Bra
             others = tuple(o for o in here.others if o[0] != cut_by)
             return Branch((gate, *rest, *loop[k + 1 :], *loop[:k]), others)
     detail = "its closing edge is on no loop of its right branch"
-    return Rejected(Reason.RECORD_OUTSIDE_BRANCH, Clause.EB_FOLD_2, AtRecord(r), detail)
+    return Rejected(Reason.RECORD_OUTSIDE_BRANCH, Clause.EB_GRAMMAR_6, AtRecord(r), detail)
 
 
 def _by_depth(part: Part, draft: Draft) -> list[Step] | Rejected:
@@ -153,7 +153,7 @@ def _by_depth(part: Part, draft: Draft) -> list[Step] | Rejected:
                 pushed.remove(pushed_by)
             case Upper() | None:
                 detail = "the loop that this S cuts off is never closed"
-                return Rejected(Reason.LOOP_NOT_CLOSED, Clause.EB_FOLD_2, AtSymbol(i), detail)
+                return Rejected(Reason.LOOP_NOT_CLOSED, Clause.EB_GRAMMAR_8, AtSymbol(i), detail)
             case step:
                 result.append(step)
                 if isinstance(step[0], LowerHandle):
@@ -192,11 +192,11 @@ def _same_again(stream: Stream, states: tuple[Growing, ...]) -> Accepted[Surface
     last = states[-1]
     if last.loops:
         detail = f"{len(last.loops)} loops are left open"
-        return Rejected(Reason.LOOP_NOT_CLOSED, Clause.EB_FOLD_3, detail=detail)
+        return Rejected(Reason.LOOP_NOT_CLOSED, Clause.EB_GRAMMAR_8, detail=detail)
     built = surface_of(FaceList(last.faces, last.vertices))
     if isinstance(built, Rejected):
         return Rejected(Reason.DOUBLE_EDGE, Clause.EB_GRAMMAR_9, detail=built.line())
     if encode(built.value).stream != stream:
         detail = "the surface so built has another stream"
-        return Rejected(Reason.DOUBLE_EDGE, Clause.EB_DECODE_2, detail=detail)
+        return Rejected(Reason.DOUBLE_EDGE, Clause.EB_GRAMMAR_9, detail=detail)
     return built

@@ -1,11 +1,14 @@
 """Into the order of creation and back: surfaces and the positions that follow their vertices."""
 
 from collections.abc import Sequence
+from typing import TypeVar
 
 from clers.complexes.surface import Surface, corners_flat
 from clers.edgebreaker.stream import Encoding
 from clers.geometry.positions import Positions
 from clers.kernels.order import Renumbered
+
+N = TypeVar("N", int, float)
 
 
 def in_creation_order(surface: Surface, encoding: Encoding) -> Surface:
@@ -24,9 +27,12 @@ def in_creation_order(surface: Surface, encoding: Encoding) -> Surface:
 
 def into_order(given: Positions, order: Sequence[int]) -> Positions:
     """Position k of the result is position order[k] of what is given. Clause: GEOM-ORDER-1."""
-    flat = given.coordinates
-    moved = tuple(x for v in order for x in flat[3 * v : 3 * v + 3])
-    return Positions(given.precision, moved)
+    return Positions(given.precision, in_order(given.coordinates, order))
+
+
+def in_order(flat: Sequence[N], order: Sequence[int]) -> tuple[N, ...]:
+    """The same of any three numbers for each vertex, flat. Clause: GEOM-ORDER-1."""
+    return tuple(x for v in order for x in flat[3 * v : 3 * v + 3])
 
 
 def out_of_order(given: Positions, order: Sequence[int]) -> Positions:

@@ -5,7 +5,7 @@ array by another takes ten times as long.
 """
 
 from librt.vecs import vec
-from mypy_extensions import i64, u8
+from mypy_extensions import i32, i64, u8
 
 
 def repeated(number: i64, length: i64) -> vec[i64]:
@@ -14,7 +14,7 @@ def repeated(number: i64, length: i64) -> vec[i64]:
 
 
 def zeros(length: i64) -> vec[i64]:
-    """So many zeros: pages of memory that nobody writes to are not touched."""
+    """So many zeros: memory that nobody writes to is not touched."""
     return vec[i64]([0] * length)
 
 
@@ -26,3 +26,8 @@ def minus_ones(length: i64) -> vec[i64]:
 def flags(length: i64) -> vec[u8]:
     """So many bytes, all zero."""
     return vec[u8](bytes(length))
+
+
+def narrow_zeros(length: i64) -> vec[i32]:
+    """So many zeros of 32 bits."""
+    return vec[i32]([i32(0)] * length)

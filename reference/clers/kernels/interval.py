@@ -72,7 +72,7 @@ class Encoder:
             low = (low & mask) << shared
             high = ((high & mask) << shared) + (TOP >> unlike)
         if low >= QUARTER and high < THREE_QUARTERS:
-            central: i64 = central_shifts(low, high)
+            central: i64 = 31 - int((high | ~low) & REST).bit_length()
             self.pending += central
             low = (low << central) & REST
             high = (high << central) & REST | HALF | TOP >> 32 - central
@@ -182,7 +182,7 @@ class Decoder:
         low = (low & mask) << shared
         high = ((high & mask) << shared) + (TOP >> 32 - shared)
         value: i64 = (self.value & mask) << shared
-        central: i64 = central_shifts(low, high)
+        central: i64 = 31 - int((high | ~low) & REST).bit_length()
         self.low = (low << central) & REST
         self.high = (high << central) & REST | HALF | TOP >> 32 - central
         self.value = (value & HALF) + ((value << central) & REST) + self.take(shared + central)
@@ -190,8 +190,3 @@ class Decoder:
     def canonical(self) -> bool:
         """Whether an encoder ends here with the bits that were read. Clause: ARITH-DECODE-4."""
         return self.value // QUARTER == (1 if self.low < QUARTER else 2)
-
-
-def central_shifts(low: i64, high: i64) -> i64:
-    """How often the central half can be widened: first bits 0 and 1, then ones and zeros."""
-    return 31 - int((high | ~low) & REST).bit_length()

@@ -3,6 +3,10 @@
 As in Spirale Reversi the loops are linked lists of edges, and the gates are on a stack. Edges are
 numbered as they come into a loop; each leaves it once. With the start of an edge goes the number
 of triangles there, at this place of the loop. All numbers count edges, symbols or records.
+
+Where there are no records each loop has one gate, and an edge that left its loop is not asked for
+again. Its number is given to the next edge, so that little memory is in use at any time. A record
+may name any edge, and of one that left it has to be seen that it did: there no number comes again.
 """
 
 from typing import Final
@@ -35,17 +39,18 @@ class Loops:
     """Loops, gates and counts; private and mutable, never seen from outside. CODE-CONTEXT-2.
 
     `passed`, `sides`, `between`: the handle data as it is seen from the end (CODE-HAND-1), a side
-    being RIGHT or not. `expected`: about so many symbols; memory is kept for them, and not touched.
+    being RIGHT or not. `gate` is the top of the stack of gates, `below` what is below it.
     """
 
-    def __init__(self, passed: vec[i64], sides: vec[i64], between: vec[i64], expected: i64) -> None:
-        self.expected = expected
-        self.after = vec[i64](capacity=2 * expected)
-        self.before = vec[i64](capacity=2 * expected)
-        self.count = vec[i64](capacity=2 * expected)
-        self.edges: i64 = 0  # that were numbered
-        self.gates = vec[i64]()
-        self.height: i64 = 0  # of the stack of gates
+    def __init__(self, passed: vec[i64], sides: vec[i64], between: vec[i64]) -> None:
+        self.after = vec[i64]()
+        self.before = vec[i64]()
+        self.count = vec[i64]()
+        self.edges: i64 = 0  # numbers that were given
+        self.spare: i64 = GLUED  # one to give again, after which `after` has the next
+        self.gate: i64 = GLUED
+        self.below = vec[i64]()
+        self.height: i64 = 0  # of the stack, with the gate
         self.valences: i64 = 0  # of the vertex that left a loop last, and 16 times that before
         self.records_passed = passed
         self.records_side = sides
@@ -56,17 +61,33 @@ class Loops:
         self.rights = vec[i64]()  # edges that can close an S
         self.lefts = vec[i64]()
 
-    def gate(self) -> i64:
-        """The top of the stack."""
-        return self.gates[self.height - 1]
-
     def push(self, edge: i64) -> None:
         """Put a gate on the stack."""
-        if self.height < len(self.gates):
-            self.gates[self.height] = edge
+        height: i64 = self.height
+        self.height = height + 1
+        if height > len(self.below):
+            self.below = append(self.below, self.gate)
+        elif height > 0:
+            self.below[height - 1] = self.gate
+        self.gate = edge
+
+    def number(self) -> i64:
+        """The number of one edge more."""
+        edge: i64 = self.spare
+        if edge == GLUED:
+            edge = self.edges
+            self.edges = edge + 1
         else:
-            self.gates = append(self.gates, edge)
-        self.height += 1
+            self.spare = self.after[edge]
+        return edge
+
+    def leave(self, edge: i64) -> None:
+        """An edge is in no loop any more."""
+        if self.records > 0:
+            self.after[edge] = GLUED
+        else:
+            self.after[edge] = self.spare
+            self.spare = edge
 
     def other(self) -> i64:
         """The edge that the left edge of an S here is glued to; GLUED if there is none."""
@@ -75,7 +96,7 @@ class Loops:
             edges = self.rights if self.records_side[self.met] == RIGHT else self.lefts
             n: i64 = len(edges)
             return edges[n - 1 - between] if between < n else GLUED
-        return self.gates[self.height - 2] if self.height > 1 else GLUED
+        return self.below[self.height - 2] if self.height > 1 else GLUED
 
     def has_record(self) -> bool:
         """Whether the next S has a record. Clause: CODE-HAND-1."""
@@ -83,7 +104,7 @@ class Loops:
 
     def can_split(self) -> bool:
         """Whether an S can be undone. Clause: CODE-CONTEXT-3."""
-        e: i64 = self.gate()
+        e: i64 = self.gate
         other: i64 = self.other()
         if other in (GLUED, e):
             return False
@@ -98,12 +119,12 @@ class Loops:
             self.create()
         elif symbol == R:
             first: i64 = self.replace()
-            self.gates[self.height - 1] = first
+            self.gate = first
             if self.records > 0:
-                self.rights = append(self.rights, first + 1)
+                self.rights = append(self.rights, self.after[first])
         elif symbol == L:
             first = self.replace()
-            self.gates[self.height - 1] = first + 1
+            self.gate = self.after[first]
             if self.records > 0:
                 self.lefts = append(self.lefts, first)
         elif symbol == E:
@@ -123,10 +144,9 @@ class Loops:
         after = self.after
         before = self.before
         count = self.count
-        gate: i64 = self.edges
-        right: i64 = gate + 1
-        left: i64 = gate + 2
-        self.edges = gate + 3
+        gate: i64 = self.number()
+        right: i64 = self.number()
+        left: i64 = self.number()
         after[gate] = right
         after[right] = left
         after[left] = gate
@@ -146,22 +166,21 @@ class Loops:
         after = self.after
         before = self.before
         count = self.count
-        e: i64 = self.gate()
+        e: i64 = self.gate
         b: i64 = after[e]
         x: i64 = before[e]
-        first: i64 = self.edges
-        second: i64 = first + 1
-        self.edges = first + 2
+        first: i64 = self.number()
+        second: i64 = self.number()
         after[x] = first
         before[first] = x
         after[first] = second
         before[second] = first
         after[second] = b
         before[b] = second
-        after[e] = GLUED
         count[first] = count[e] + 1
         count[second] = 1
         count[b] += 1
+        self.leave(e)
         return first
 
     def create(self) -> None:
@@ -169,31 +188,30 @@ class Loops:
         after = self.after
         before = self.before
         count = self.count
-        e: i64 = self.gate()
+        e: i64 = self.gate
         b: i64 = after[e]
         x: i64 = before[e]
         xx: i64 = before[x]
-        gate: i64 = self.edges
-        self.edges = gate + 1
+        gate: i64 = self.number()
         after[xx] = gate
         before[gate] = xx
         after[gate] = b
         before[b] = gate
-        after[e] = GLUED
-        after[x] = GLUED
         count[gate] = count[x] + 1
         count[b] += 1
-        valence: i64 = self.count[e] + 1
+        valence: i64 = count[e] + 1
         if valence > MOST:
             valence = MOST
         self.valences = 16 * (self.valences & 15) + valence
-        self.gates[self.height - 1] = gate
+        self.gate = gate
+        self.leave(e)
+        self.leave(x)
 
     def split(self) -> None:
         """S: the gate's loop and that of another edge become one, or one becomes two."""
         after = self.after
         before = self.before
-        e: i64 = self.gate()
+        e: i64 = self.gate
         other: i64 = self.other()
         b: i64 = after[e]
         x: i64 = before[e]
@@ -201,8 +219,7 @@ class Loops:
         p: i64 = before[other]
         self.count[b] += 1
         self.count[q] += self.count[e] + 1
-        gate: i64 = self.edges
-        self.edges = gate + 1
+        gate: i64 = self.number()
         self.count[gate] = self.count[other] + 1
         after[p] = gate
         before[gate] = p
@@ -210,12 +227,12 @@ class Loops:
         before[b] = gate
         after[x] = q
         before[q] = x
-        after[e] = GLUED
-        after[other] = GLUED
+        self.leave(e)
+        self.leave(other)
         if self.has_record():
             self.met += 1
             self.passed = 0
         else:
             self.passed += 1
             self.height -= 1
-        self.gates[self.height - 1] = gate
+        self.gate = gate

@@ -19,6 +19,7 @@ from clers.specification.leave import every_may
 from clers.specification.links import indexed, resolved
 from clers.specification.numbers import as_computed
 from clers.specification.proofs import RULES as PROOFS
+from clers.specification.reasons import reasons_said
 from clers.specification.registry import registered
 from clers.specification.repository import Repository
 from clers.specification.tutorial import every_place
@@ -46,6 +47,7 @@ RULES: Final[tuple[Rule, ...]] = (
     earlier_only,
     every_may,
     every_place,
+    reasons_said,
     *PROOFS,
 )
 

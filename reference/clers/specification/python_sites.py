@@ -33,10 +33,20 @@ class Span:
 
 
 @dataclass(frozen=True, slots=True)
+class Rejection:
+    """A call `Rejected(Reason.X, Clause.Y, …)`, with both as pages write them. CONV-RESULT-6."""
+
+    reason: str
+    clause: str
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
 class Module:
     """What one Python file says: whom it cites, the laws it writes out, why it does not parse.
 
-    `imports` has each name that it imports, dotted, with its line, wherever in the file.
+    `imports` has each name that it imports, dotted, with its line, wherever in the file;
+    `rejections` what code rejects, where reason and clause are both written out.
     """
 
     path: str
@@ -44,6 +54,7 @@ class Module:
     laws: tuple[Span, ...] = ()
     fault: tuple[int, str] | None = None
     imports: tuple[tuple[str, int], ...] = ()
+    rejections: tuple[Rejection, ...] = ()
 
 
 def read_module(path: str, source: str, kind: Kind) -> Module:
@@ -72,7 +83,8 @@ def read_module(path: str, source: str, kind: Kind) -> Module:
     ]
     found.sort(key=lambda site: site[2])
     sites = (Citation(id_, as_, path, line, _innermost(spans, line)) for id_, as_, line in found)
-    return Module(path, tuple(sites), laws, imports=tuple(_imports(nodes)))
+    rejected = tuple(_rejections(nodes)) if kind is Kind.CODE else ()
+    return Module(path, tuple(sites), laws, imports=tuple(_imports(nodes)), rejections=rejected)
 
 
 def _nodes(tree: ast.AST) -> Iterator[tuple[ast.AST, str]]:
@@ -96,6 +108,25 @@ def _imports(nodes: Iterable[tuple[ast.AST, str]]) -> Iterator[tuple[str, int]]:
             yield from ((name.name, node.lineno) for name in node.names)
         elif isinstance(node, ast.ImportFrom):
             yield from ((f"{node.module}.{name.name}", node.lineno) for name in node.names)
+
+
+def _rejections(nodes: Iterable[tuple[ast.AST, str]]) -> Iterator[Rejection]:
+    """The calls that reject with a reason and a clause that are written out."""
+    for node, _ in nodes:
+        match node:
+            case ast.Call(
+                func=ast.Name("Rejected"),
+                args=[
+                    ast.Attribute(value=ast.Name("Reason"), attr=reason),
+                    ast.Attribute(value=ast.Name("Clause"), attr=member),
+                    *_,
+                ],
+            ):
+                clause = of_member(member)
+                if clause is not None:
+                    yield Rejection(reason.lower().replace("_", "-"), clause, node.lineno)
+            case _:
+                pass
 
 
 def _law_calls(nodes: Iterable[tuple[ast.AST, str]]) -> Iterator[Span]:

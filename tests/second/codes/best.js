@@ -8,19 +8,18 @@ const golden = require('./golden.js');
 const kingRossignac = require('./king_rossignac.js');
 const plain = require('./plain.js');
 const { BitWriter, bitAt, bitsFrom } = require('../bits.js');
-const { recordsOf } = require('../closings.js');
 const { Rejection, reject } = require('../rejection.js');
 
 const CHOICES = [['0', context], ['100', enumerative], ['101', golden], ['110', kingRossignac], ['111', plain]];
 
 /** The bits with the selector of the code that takes the fewest; a code that refuses the word is no choice. */
-function encode(word, implied, stream) {
+function encode(word, implied, stream, closings) {
   rejectUnknown(word, 'CODE-BEST-1');
   let best = null;
   let refusal = null;
   for (const [selector, code] of CHOICES) {
     try {
-      const bits = code.encode(word, implied, stream);
+      const bits = code.encode(word, implied, stream, closings);
       const length = selector.length + bits.length;
       if (best === null || length < best.length) best = { selector, bits, length };
     } catch (fault) {
@@ -50,10 +49,9 @@ module.exports = {
     const [selector, code] = selected(bits);
     const rest = bitsFrom(bits, selector.length);
     const word = code.decode(rest, symbols, implied, told);
-    const whole = implied + word;
-    const records = recordsOf(whole, told.closings);
-    const stream = { word: whole, records, boundaryComponents: told.boundaryComponents };
-    const [shortest] = selected(encode(word, implied, stream));
+    // CODE-BEST-2: the others are given the closings as they are told; only without any is a surface asked for.
+    const stream = { word: implied + word, records: [], boundaryComponents: told.boundaryComponents };
+    const [shortest] = selected(encode(word, implied, stream, told.closings));
     if (shortest !== selector) reject('not-canonical', 'CODE-BEST-2');
     return word;
   },

@@ -5,7 +5,6 @@ const { rejectUnknown } = require('./alphabet.js');
 const { CountedLoops, GONE } = require('./context_loops.js');
 const { Mixer } = require('./mixing.js');
 const { Decoder, Encoder } = require('../arithmetic.js');
-const { closingsOf } = require('../closings.js');
 const { Static } = require('../models.js');
 const { reject } = require('../rejection.js');
 
@@ -84,9 +83,9 @@ const mostSymbols = (bits) => 2070 * bits + 2;
 const table = (yes) => new Static([CERTAIN - yes, yes]);
 
 module.exports = {
-  encode(word, before, { word: whole, records }) {
+  encode(word, before, stream, closings) {
     rejectUnknown(word, 'CODE-CONTEXT-1');
-    const foreteller = new Foreteller(word.length, closingsOf(whole, records));
+    const foreteller = new Foreteller(word.length, closings);
     const encoder = new Encoder();
     for (let place = word.length - 1; place >= 0; place -= 1) {
       let asked = 0;

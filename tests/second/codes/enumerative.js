@@ -34,8 +34,8 @@ class Urn {
 const refuse = () => reject('not-representable', 'CODE-ENUM-1');
 
 module.exports = {
-  encode(coded, implied, stream) {
-    if (implied === '' || stream.records.length > 0) refuse();
+  encode(coded, implied, stream, closings) {
+    if (implied === '' || closings.length > 0) refuse();
     const surface = decodeStream(stream);
     if (surface.faces !== stream.word.length + 1) refuse(); // several components
     const inner = treeWord(surface).slice(2, -2); // CODE-ENUM-2

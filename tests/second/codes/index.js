@@ -45,8 +45,8 @@ function encodeWord(name, stream) {
   const { word, boundaryComponents } = stream;
   const implied = impliedIn(boundaryComponents);
   if (!word.startsWith(implied)) reject('not-in-alphabet', 'CODE-IMPLIED-2', { symbol: 0 });
-  closingsOf(word, stream.records); // CODE-HAND-2: refused, whether the code needs them or not
-  return code.encode(word.slice(implied.length), implied, stream);
+  const closings = closingsOf(word, stream.records); // CODE-HAND-2: refused, whether the code needs them or not
+  return code.encode(word.slice(implied.length), implied, stream, closings);
 }
 
 function decodeWord(name, bits, told) {

@@ -3,7 +3,7 @@
 
 const { closingsOf, decodeClosings, encodeClosings, recordsOf } = require('../closings.js');
 const codes = require('../codes/index.js');
-const { exponentForBits, exponentForBound } = require('../geometry/lattice.js');
+const { exponentForBits, exponentForBound, quantise } = require('../geometry/lattice.js');
 const { checkPositions, inOrder, readExact, writeExact } = require('../geometry/positions.js');
 const { reject } = require('../rejection.js');
 const { decodeStream } = require('../unwind.js');
@@ -53,9 +53,8 @@ function readStored(reader, { coding, vertices }) {
 function encodeFile(surface, positions, codeName, accuracy) {
   if (positions !== null) checkPositions(positions, surface.vertices);
   const stream = encodeSurface(surface);
+  const [coding, posn] = storedForm(stream, positions, accuracy); // ORCL-OP-7: before the code
   const word = codes.encodeWord(codeName, stream);
-  const stored = positions === null ? null : inOrder(positions, stream.vertexOrder);
-  const [coding, posn] = storedForm(stream, stored, accuracy);
   const head = { code: codeName, coding, faces: surface.faces, vertices: surface.vertices,
     boundaryComponents: stream.boundaryComponents, symbols: stream.word.length, records: stream.records.length };
   const payloads = [['HEAD', writeHead(head)]];
@@ -74,11 +73,14 @@ function payloadOf(bits) {
 }
 
 /** FILE-OPTION-1. */
-function storedForm(stream, stored, accuracy) {
-  if (stored === null) return ['none', null];
+function storedForm(stream, positions, accuracy) {
+  if (positions === null) return ['none', null];
+  const stored = inOrder(positions, stream.vertexOrder);
   if (accuracy.kind === 'exact') return [`exact-${stored.precision}`, writeExact(stored)];
+  const exponent = exponentFor(positions.coordinates, accuracy);
+  quantise(positions.coordinates, exponent); // GEOM-LATTICE-3 blames a vertex of the mesh that was given
   const created = decodeStream(stream); // GEOM-ORDER-3
-  return ['lattice', writeLattice(created, stored.coordinates, exponentFor(stored.coordinates, accuracy))];
+  return ['lattice', writeLattice(created, stored.coordinates, exponent)];
 }
 
 function exponentFor(coordinates, accuracy) {

@@ -22,6 +22,9 @@ def encode(code: registry.CodeName, given: form.ToWord) -> Accepted[form.BitStri
 def decode(code: registry.CodeName, given: form.FromWord) -> Accepted[form.JustWord] | Rejected:
     """Bits to a word. Clause: ORCL-OP-6."""
     seen = closings_of(given)
+    fault = registry.below_zero(seen)  # before the bits are unpacked
+    if fault is not None:
+        return fault
     word = and_then(
         bits_of(given.bits),
         lambda bits: registry.decode(

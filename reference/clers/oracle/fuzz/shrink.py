@@ -59,7 +59,7 @@ def of_mesh(path: Path, op: str, code: str) -> Accepted[Operation] | Rejected:
 
 def _about(mesh: RawMesh, op: str, code: str) -> Accepted[Operation] | Rejected:
     if not all(map(isfinite, mesh.coordinates)):
-        return Rejected(Reason.NON_FINITE_COORDINATE, Clause.ORCL_VALUE_3)
+        return Rejected(Reason.NON_FINITE_COORDINATE, Clause.ORCL_SHRINK_6)
     faces = tuple((to_wire(a), to_wire(b), to_wire(c)) for a, b, c in mesh.faces.faces)
     vertices = to_wire(mesh.faces.vertices)
     places = form.Places(

@@ -14,7 +14,7 @@ from clers.measure.mutation.sample import Drawn, draw, subjects
 from clers.oracle.mutants.automatic import Sample, run
 from clers.oracle.mutants.reached import Reached
 from clers.oracle.mutants.trial import Fate
-from clers.oracle.mutants.unnoticed import Why, why
+from clers.oracle.mutants.unnoticed import Kind, Why, why
 
 Step = Callable[[str], None]
 MEMORY: Final = 4 << 30
@@ -62,6 +62,8 @@ OF_KERNELS: Final = (
     f"{_CONTEXT}::test_where_a_recorded_s_can_be",
     f"{_CONTEXT}::test_truncated_and_trailing_bits",
     f"{_CONTEXT}::test_the_records_are_used",
+    "tests/codes/test_codes.py::test_law[code-round-trip-context]",
+    "tests/codes/test_codes.py::test_law[context-definition]",
 )
 """Tests of the chapters whose loops the kernels are; of each kernel those that take least time."""
 
@@ -143,15 +145,17 @@ def tried(
     """Draw, and run the tests; or say why they cannot be run. Clause: ORCL-MUTANT-9.
 
     Mutants that a test noticed before, as `before` has it, count as noticed, and are not tried;
-    those that it left are tried again, and are `late` whatever comes of it.
+    nor are those that it left and that are known to be equivalent. The others that it left are
+    tried again, and are `late` whatever comes of it.
     """
     modules = of(chapter)
     root = chapter.package.split(".")[0]
     total, drawn = draw(modules, root, sample, seed)
     here = {(d.subject.module, d.mutant, difference(d.subject.source, d.mutant)) for d in drawn}
     same = [row for row in before if (row.module, row.mutant, row.difference) in here]
-    kept = [row for row in same if row.by]
-    left = {(row.module, row.mutant) for row in same if not row.by}
+    known = [row if row.by else replace(row, why=why(row.module, row.difference)) for row in same]
+    kept = [row for row in known if row.by or (row.why and row.why.kind is Kind.EQUIVALENT)]
+    left = {(row.module, row.mutant) for row in known if row not in kept}
     done = {(row.module, row.mutant) for row in kept}
     rest = [d for d in drawn if (d.subject.module, d.mutant) not in done]
     if not rest:

@@ -17,11 +17,18 @@ HEAD: Final = (
 
 
 def page(
-    results: Sequence[Result], sample: int, seed: int, *, cases: bool = True, commit: str = ""
+    results: Sequence[Result],
+    sample: int,
+    seed: int,
+    *,
+    cases: bool = True,
+    kept: bool = False,
+    commit: str = "",
 ) -> Iterator[str]:
     """The lines of the page: how it was made, a table of counts, what was noticed late or never.
 
-    `commit` is the last one that changed a package of a chapter, if that is known.
+    `kept`: were results of earlier runs at hand? `commit` is the last one that changed a package
+    of a chapter, if that is known.
     """
     yield "# Mistakes that a tool makes, by chapter"
     yield ""
@@ -32,8 +39,8 @@ def page(
         "[tools](../spec/10-tools.md). This page was printed by"
     )
     yield ""
-    unasked = "" if cases else " --no-cases"
-    yield f"    python -m clers.cli.mutation_by_chapter --sample {sample} --seed {seed}{unasked}"
+    asked = ("" if cases else " --no-cases") + (" --keep FOLDER" if kept else "")
+    yield f"    python -m clers.cli.mutation_by_chapter --sample {sample} --seed {seed}{asked}"
     yield ""
     today = datetime.now(UTC)
     yield (

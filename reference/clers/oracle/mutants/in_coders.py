@@ -40,11 +40,11 @@ MUTANTS: Final = (
         INTERVAL,
         """\
         if low >= QUARTER and high < THREE_QUARTERS:
-            central: i64 = central_shifts(low, high)
+            central: i64 = 31 - int((high | ~low) & REST).bit_length()
 """,
         """\
         if low >= QUARTER and high <= THREE_QUARTERS:
-            central: i64 = central_shifts(low, high) + (high == THREE_QUARTERS)
+            central: i64 = 31 - int((high | ~low) & REST).bit_length() + (high == THREE_QUARTERS)
 """,
         "An interval that ends in the first number of the last quarter is shifted as central.",
     ),

@@ -61,6 +61,10 @@ READ: Final[Mapping[tuple[str, str], Why]] = {
         "+ links = chain(of.next, of.twin, of.previous, of.of_vertex, of.of_face)",
     ): Why(Kind.EQUIVALENT, "what is chained becomes a set"),
     (
+        "clers.operators.attachments.operator",
+        "- return (_edge(one, other, new_end=False),) + return (_edge(other, one, new_end=False),)",
+    ): Why(Kind.EQUIVALENT, "the ends of an edge without a new vertex are put in order"),
+    (
         "clers.edgebreaker.examples",
         "- (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (2, 5, 3), (2, 3, 0), "
         "+ (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), ((2, 3, 0)), ((2, 5, 3)),",
@@ -70,6 +74,15 @@ READ: Final[Mapping[tuple[str, str], Why]] = {
         "do the walk and the word",
     ),
     (
+        "clers.container.contents",
+        '- nothing = Accepted(Bits(b"", 0)) + nothing = Accepted(Bits(b"", 1))',
+    ): Why(Kind.EQUIVALENT, "bits of handle data are looked at only if there are records"),
+    (
+        "clers.container.trip",
+        "- corners = [Corner(0)] * len(surface.vertex) "
+        "+ corners = [Corner((-1))] * len(surface.vertex)",
+    ): Why(Kind.EQUIVALENT, "each corner is one of a face, so that each entry is written"),
+    (
         "clers.codes.minimax_search",
         "- best, step = _slope(of, *at), 2.0**-10 + best, step = _slope(of, *at), 1.0**-10",
     ): Why(
@@ -77,5 +90,17 @@ READ: Final[Mapping[tuple[str, str], Why]] = {
         "with greater steps the search for a certificate begins further off, and ends at the same; "
         "whatever it finds is checked in exact numbers",
     ),
+    (
+        "clers.kernels.foretelling",
+        "- return -1 + return -2",
+    ): Why(Kind.EQUIVALENT, "whoever calls it asks only whether it is a place, from 0 on"),
+    (
+        "clers.kernels.gluing",
+        "- self.where: i64 = 0 + self.where: i64 = (-1)",
+    ): Why(Kind.EQUIVALENT, "it is read only after a fault, which says where it is"),
+    (
+        "clers.kernels.tree",
+        "- zeros_at = vec[i64]([0]) + zeros_at = vec[i64]([(-1)])",
+    ): Why(Kind.EQUIVALENT, "zeros are not counted at the root, where the first is a fault"),
 }
 """By module and change, with single spaces. Clause: ORCL-MUTANT-9."""

@@ -151,6 +151,7 @@ def unfounded(asked: Draft) -> Iterator[Draft]:
         ("closer-beyond-the-word", replaced("/handles/1/at", 0, 5, 7)),
         ("s-beyond-the-word", replaced("/handles/1/s", 0, 1, 4)),
         ("s-negative", replaced("/handles/0/s", 0, 0, -1)),
+        ("s-of-the-record-before", replaced("/handles/1/s", 0, 1, 0)),
     ):
         yield bad(
             asked, kind, (edit,), R.NOT_REPRESENTABLE, C.CODE_HAND_2, flags=("unchecked-record",)
@@ -163,6 +164,10 @@ def special() -> Iterator[Draft]:
     yield from of_king_rossignac()
     yield from of_best()
     yield from not_for_all()
+    for code in map(str, CodeName):
+        yield from with_closings(code)
+        if code != "enumerative":
+            yield from of_nothing(code)
     for code in ("plain", "golden"):
         _, given = asked_of(code, "tetrahedron", STREAMS["tetrahedron"])
         edit = replaced("/symbols", 0, 3, 0)
@@ -182,6 +187,7 @@ def of_huffman() -> Iterator[Draft]:
         ("table-of-longer-words", "000000010010000" + "0100", R.NOT_CANONICAL, C.CODE_HUFFMAN_3),
         ("table-with-another-symbol", "000000001010010" + "100", R.NOT_CANONICAL, C.CODE_HUFFMAN_3),
         ("table-of-none", "000000000000000" + "10", R.NOT_CANONICAL, C.INFO_PREFIX_3),
+        ("table-of-none-alone", "000000000000000", R.TRUNCATED_BITS, C.INFO_PREFIX_3),
         ("table-cut", "00000000100100", R.TRUNCATED_BITS, C.CODE_HUFFMAN_3),
         ("no-words-after-the-table", "000000001001000", R.TRUNCATED_BITS, C.INFO_PREFIX_3),
     ):
@@ -221,6 +227,55 @@ def of_best() -> Iterator[Draft]:
         for kind, new in (("half-a-selector", "1"), ("selector-of-two-bits", "10")):
             edits = bit_edits(digits, new)
             yield bad(given, kind, edits, R.TRUNCATED_BITS, C.CODE_BEST_2, flags=flag)
+
+
+def with_closings(code: str) -> Iterator[Draft]:
+    """A sphere's bits, told with a closing that no S uses. Clauses: ORCL-OP-6, CODE-BEST-2."""
+    _, given = asked_of(code, "tetrahedron", STREAMS["tetrahedron"])
+    for kind, passed, between in (
+        ("unused", 7, 0),
+        ("passed-negative", -1, 0),
+        ("negative", 0, -1),
+    ):
+        closing = {"passed": passed, "kind": "handle", "side": "right", "between": between}
+        edit = replaced("/closings", 0, [], [closing])
+        words, needs = f"closing-{kind}", ("handles",)
+        if kind != "unused":
+            yield bad(
+                given, words, (edit,), R.RECORD_OUT_OF_RANGE, C.CODE_HAND_3,
+                requires=needs, flags=("unchecked-record",),
+            )  # fmt: skip
+        elif code == "enumerative":
+            yield bad(
+                given, words, (edit,), R.NOT_REPRESENTABLE, C.CODE_ENUM_1,
+                requires=needs, flags=("code-not-for-all",),
+            )  # fmt: skip
+        else:
+            yield spoilt(given, words, (edit,), requires=needs)
+    if code == "enumerative":
+        yield bad(
+            given, "with-boundary", (replaced("/components_with_boundary", 0, 0, 1),),
+            R.NOT_REPRESENTABLE, C.CODE_ENUM_1,
+            requires=("boundaries.one",), flags=("code-not-for-all",),
+        )  # fmt: skip
+
+
+def of_nothing(code: str) -> Iterator[Draft]:
+    """A word of no symbols, with boundary: no surface has it, a code writes it. CODE-IMPLIED-2."""
+    requires, clauses = (f"code.{code}", "boundaries.one"), (C.CODE_NAME_2, C.CODE_IMPLIED_2)
+    asked = good(
+        f"{code}-of-nothing", "code.encode",
+        form.ToWord(code=code, word="", handles=(), components_with_boundary=1),
+        clauses, requires=requires,
+    )  # fmt: skip
+    yield asked
+    yield good(
+        f"{code}-of-nothing", "code.decode",
+        form.FromWord(
+            code=code, bits=string(digits_of(asked)), symbols=0, components_with_boundary=1
+        ),
+        clauses, requires=requires,
+    )  # fmt: skip
 
 
 def not_for_all() -> Iterator[Draft]:

@@ -53,6 +53,7 @@ def drafts() -> Iterator[Draft]:
         yield draft
         for kind, edit, reason, clause, flag in rows:
             yield bad(draft, kind, (edit,), reason, clause, flags=(flag,))
+    yield from of_border()
     torus = form.ToFile(
         faces=tuple(TORUS.triangles()), vertices=9, code="plain", accuracy=form.ExactForm()
     )
@@ -126,6 +127,26 @@ def of_lattice() -> Iterator[Row]:
         C.GEOM_LATTICE_3,
         flag,
     )
+
+
+def of_border() -> Iterator[Draft]:
+    """A triangle whose vertex 0 is created last; its number is blamed. Clause: GEOM-LATTICE-3."""
+    places = form.Places(precision="f64", coordinates=(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
+    given = form.ToFile(
+        faces=((0, 1, 2),), vertices=3, positions=places, code="plain",
+        accuracy=form.LatticeForm(exponent=0),
+    )  # fmt: skip
+    draft = good(
+        "triangle-on-lattice", "mesh.encode", given, (C.GEOM_ORDER_1, C.GEOM_LATTICE_1),
+        requires=("boundaries.one", "code.plain"), size=1,
+    )  # fmt: skip
+    yield draft
+    for vertex in (0, 1):
+        edit = replaced(NUMBERS, 3 * vertex, [0.0], [float(1 << 53)])
+        yield bad(
+            draft, f"vertex-{vertex}-too-far", (edit,), R.NOT_REPRESENTABLE, C.GEOM_LATTICE_3,
+            flags=("lattice-not-checked",),
+        )  # fmt: skip
 
 
 def of_bits() -> Iterator[Row]:

@@ -203,6 +203,7 @@ def bad_models(draft: Draft, name: str) -> Iterator[Draft]:
             ("limit-under-total", replaced(table, 0, [1, 1, 1], [1, 16, 1]), adaptive),
             ("limit-over-all", replaced("/model/limit", 0, 16, top + 1), adaptive),
             ("starts-with-nothing", replaced(table, 0, [1, 1, 1], [0, 0, 0]), static),
+            ("starts-below-nothing", replaced(table, 1, [1], [-1]), static),
         ),
     }
     for kind, edit, clause in rows[name]:

@@ -52,12 +52,15 @@ NEEDS: Final = {
     "loop-in-two": ("boundaries.many",),
     "strips-between": ("boundaries.many", "components"),
     "strip-around": ("boundaries.many",),
+    "strip-undone": ("boundaries.many",),
 }
 
 NA, BO, UO = R.OPERATOR_NOT_APPLICABLE, R.BAD_OPERAND, R.UNKNOWN_OPERATOR
 GROW, SHEET, MOVE, ATTACH = C.OPER_SCRIPT_6, C.OPER_BUILD_5, C.OPER_MOVE_8, C.OPER_ATTACH_8
 
 FAN: Final = "zero-handle 0 1 2; glue 1 0 3; glue 3 0 4"
+SHELL: Final = "zero-handle 0 1 2; glue 1 0 3; complete 2 1 3"
+AROUND: Final = "zero-handle 0 1 2; glue 1 0 3; glue 3 0 4; glue 4 0 5; lower-strip 2 1 4 5"
 EDGE: Final = "attach 0 1 2; attach 1 2 3 / 1 2"
 CURVE: Final = "first-vertex 0; edge-and-vertex 0 1; edge-and-vertex 1 2; edge-and-vertex 2 3"
 
@@ -106,6 +109,12 @@ SCRIPTS: Final[tuple[tuple[str, str, tuple[Row, ...]], ...]] = (
         ("loop-turned", "zero-handle-polygon 0 1 2; two-handle 0 2 1", NA, C.OPER_SURFACE_7),
         ("loop-of-four", "zero-handle-polygon 0 1 2 3; two-handle 0 1 2", NA, C.OPER_SURFACE_7),
     )),
+    ("closed-by-euler", f"{SHELL}; make-sg 0 2 3", (
+        ("loop-turned", f"{SHELL}; make-sg 0 3 2", NA, C.OPER_EULER_4),
+    )),
+    ("strip-undone", f"{AROUND}; undo-lower-strip 2 1 4 5", (
+        ("turned", f"{AROUND}; undo-lower-strip 2 1 5 4", NA, C.OPER_EULER_3),
+    )),
     ("loop-in-two", f"{FAN}; lower 2 1 4 0", (
         ("as-upper", f"{FAN}; upper 2 1 4 0", NA, C.OPER_SURFACE_6),
         ("as-join", f"{FAN}; join 2 1 4 0", NA, C.OPER_SURFACE_4),
@@ -147,6 +156,10 @@ SCRIPTS: Final[tuple[tuple[str, str, tuple[Row, ...]], ...]] = (
         ("name-unknown", "attach 0 1 2; append 1 2 3 / 1 2", UO, ATTACH),
         ("leading-zero", "attach 0 1 2; attach 1 2 03 / 1 2", BO, ATTACH),
         ("commas", "attach 0 1 2; attach 1,2,3 / 1 2", BO, ATTACH),
+        ("slash-at-the-name", "attach 0 1 2; attach/ 1 2 3 / 1 2", UO, ATTACH),
+        ("undo-alone", "attach 0 1 2; undo", UO, ATTACH),
+        ("undo-twice", "attach 0 1 2; undo undo attach 0 1 2", UO, ATTACH),
+        ("undo-before-a-move", "attach 0 1 2; undo collapse 0 1 / 0 1 2", UO, ATTACH),
         ("empty-after-slash", "attach 0 1 2; attach 1 2 3 / ", BO, C.OPER_ATTACH_1),
         ("vertices-not-increasing", "attach 0 1 2; attach 1 3 2 / 1 2", BO, C.OPER_ATTACH_1),
         ("vertex-negative", "attach 0 1 2; attach -1 2 3 / 1 2", BO, C.OPER_ATTACH_1),
@@ -160,6 +173,7 @@ SCRIPTS: Final[tuple[tuple[str, str, tuple[Row, ...]], ...]] = (
         ("eleven-vertices", "attach 0 1 2; attach 1 2 3 4 5 6 7 8 9 10 11 / 1 2",
          R.TOO_MANY_VERTICES, C.OPER_ATTACH_1),
     )),
+    ("attached-without-blanks", "attach 0 1 2;attach 1 2 3/1 2", ()),
     ("bounded", f"{EDGE}; boundary-attach 2 3 4 / 2 3", (
         ("inside", f"{EDGE}; boundary-attach 1 2 4 / 1 2", NA, C.OPER_SIMPLEX_5),
         ("of-another-dimension", f"{EDGE}; boundary-attach 2 3 4 5 / 2 3", NA, C.OPER_SIMPLEX_5),
@@ -183,7 +197,14 @@ SCRIPTS: Final[tuple[tuple[str, str, tuple[Row, ...]], ...]] = (
         ("not-the-last", f"{EDGE}; undo attach 0 1 2", NA, C.OPER_ATTACH_3),
         ("not-there", f"{EDGE}; undo attach 2 3 4 / 2 3", R.MISSING_SIMPLEX, C.OPER_ATTACH_3),
     )),
+    ("handle-undone", "handle 0 1 2; undo handle 0 1 2", (
+        ("not-there", "handle 0 1 2; undo handle 0 1 3", R.MISSING_SIMPLEX, C.OPER_ATTACH_3),
+        ("vertices-not-increasing", "handle 0 1 2; undo handle 0 2 1", BO, C.OPER_ATTACH_1),
+        ("of-another-kind", "handle 0 1 2; undo boundary-attach 0 1 2", NA, C.OPER_SIMPLEX_5),
+    )),
     ("collapsed", f"{EDGE}; collapse 0 1 / 0 1 2", (
+        ("vertices-not-increasing", f"{EDGE}; collapse 1 0 / 0 1 2", BO, C.OPER_MOVE_2),
+        ("vertex-negative", f"{EDGE}; collapse 0 1 / 0 1 -2", BO, MOVE),
         ("not-free", f"{EDGE}; collapse 1 2 / 0 1 2", R.NOT_FREE, C.OPER_COLLAPSE_1),
         ("not-there", f"{EDGE}; collapse 0 3 / 0 1 3", R.MISSING_SIMPLEX, C.OPER_COLLAPSE_1),
         ("two-dimensions-apart", f"{EDGE}; collapse 0 / 0 1 2", BO, C.OPER_MOVE_2),
@@ -219,7 +240,15 @@ SCRIPTS: Final[tuple[tuple[str, str, tuple[Row, ...]], ...]] = (
         ("drawn-in", "attach 0 1 2; attach 2 3 / 2; contract 2 / 3", R.WRONG_LINK,
          C.OPER_CONTRACT_5),
     )),
+    ("path-split", "attach 0 1; attach 0 2 / 0; split 0 / 3 / 1 /", (
+        ("shared-as-well", "attach 0 1; attach 0 2 / 0; split 0 / 3 / 1 / 1", R.LINK_CONDITION,
+         C.OPER_CONTRACT_1),
+        ("nothing-moved", "attach 0 1; attach 0 2 / 0; split 0 / 3 / /", R.WRONG_LINK,
+         C.OPER_CONTRACT_5),
+    )),
     ("split", f"{EDGE}; split 0 / 4 / 1, 1 2 / 1", (
+        ("empty-simplex-in-a-list", f"{EDGE}; split 0 / 4 / 1, / 1", BO, MOVE),
+        ("around-itself", f"{EDGE}; split 0 / 4 / 0 1, 1 2 / 1", BO, C.OPER_MOVE_2),
         ("vertex-is-there", f"{EDGE}; split 0 / 3 / 1, 1 2 / 1", R.PRESENT_SIMPLEX,
          C.OPER_CONTRACT_4),
         ("vertex-is-not", f"{EDGE}; split 5 / 4 / 1, 1 2 / 1", R.MISSING_SIMPLEX,
