@@ -62,7 +62,7 @@ def decoded(tables: Tables, context: i64, count: i64, longest: i64, of: Decoder)
         total: i64 = cumulative[base + size]
         # `target` says the same: it is below a number if and only if these products are in order.
         width: i64 = of.high - of.low + 1
-        aim: i64 = (of.value - of.low + 1) * total
+        aim: i64 = (of.offset + 1) * total
         at: i64 = base
         below: i64 = 0
         upto: i64 = cumulative[base + 1]
