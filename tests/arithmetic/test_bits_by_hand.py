@@ -185,3 +185,13 @@ def test_why_totals_end_at_a_quarter() -> None:
     assert enough.width == 1
     assert empty.width == 0
     assert State().high == TOP
+
+
+def test_bits_are_cut_anywhere() -> None:
+    """ARITH-BITS-2: each part is packed anew, and both parts together are the whole."""
+    whole = bits("110100111010110")
+    for count in range(whole.length + 1):
+        front, back = whole.upto(count), whole.after(count)
+        assert (front, back) == (bits(whole.digits()[:count]), bits(whole.digits()[count:]))
+        assert front.followed_by(back) == whole
+    assert whole.upto(99) == whole

@@ -17,6 +17,7 @@ from clers.codes.context import DECISIONS, ORDER, foretelling, most_symbols
 from clers.codes.context_definition import Told, Undone
 from clers.codes.laws_context import LAWS
 from clers.codes.registry import CodeName, decode, encode
+from clers.complexes.corner_table import surface
 from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
@@ -25,6 +26,7 @@ from clers.conventions.where import AtSymbol
 from clers.edgebreaker.encode import encode as encode_surface
 from clers.edgebreaker.examples import ANNULUS, CUBE, TETRAHEDRON, TORUS, TRIANGLE
 from clers.edgebreaker.stream import Kind, Side, Stream
+from clers.generate.irregular import irregular_sphere
 
 CLOSED = Shape("C")
 
@@ -98,10 +100,21 @@ def test_the_cube_by_hand() -> None:
     assert model.weights[0] == (15885, 16384, 16384, 16384, 16384)
 
 
-@pytest.mark.parametrize("surface", [TETRAHEDRON, CUBE, TORUS, ANNULUS, TRIANGLE])
-def test_both_readings_of_the_examples(surface: object) -> None:
+@pytest.mark.parametrize("example", [TETRAHEDRON, CUBE, TORUS, ANNULUS, TRIANGLE])
+def test_both_readings_of_the_examples(example: object) -> None:
     """CODE-CONTEXT-2 … CODE-CONTEXT-7."""
-    assert LAWS[0].check(surface) == Holds()
+    assert LAWS[0].check(example) == Holds()
+
+
+def test_more_contexts_than_there_is_room_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """CODE-CONTEXT-4, CODE-CONTEXT-5: those of twelve symbols keep their slots as they get more.
+
+    Where no symbols are expected, there is room for fewer than these are.
+    """
+    monkeypatch.setattr(context, "EXPECTED", 0)
+    made = surface(irregular_sphere(1200, 1))
+    assert isinstance(made, Accepted)
+    assert LAWS[0].check(made.value) == Holds()
 
 
 def test_the_law_can_fail(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -212,7 +212,8 @@ SCRIPTS: Final = (
     # OPER-CONTRACT-4: what does not fit, then what rejects the contraction
     ("attach 0 1; split 0 / 2 / / 1", 1, "wrong-link", "OPER-CONTRACT-4"),
     ("attach 0 1; split 0 / 2 / 1 / 1", 1, "link-condition", "OPER-CONTRACT-1"),
-    # OPER-ATTACH-2: each attachment of a handle in turn, its form first
+    # OPER-ATTACH-2: what is missing before what is there; a handle's attachments in turn
+    ("attach 0 1; attach 0 1 2 / 1 2", 1, "missing-simplex", "OPER-ATTACH-2"),
     ("handle 0 1 / 2 | 1 0", 0, "bad-operand", "OPER-ATTACH-1"),
     ("handle 0 1 / 0 | 1 0", 0, "missing-simplex", "OPER-ATTACH-2"),
     # OPER-ATTACH-3: from the last on; missing ones, ones that stay; then the operator

@@ -326,6 +326,7 @@ def test_a_rejection_in_full() -> None:
         (b"rubbish", None),
         (b"", None),
         (b"\xff{}", None),
+        (b'{"op":"echo\xff","id":9,"in":{}}', None),
         (b"[" * 100_000, None),
     ],
 )

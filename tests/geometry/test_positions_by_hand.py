@@ -1,6 +1,6 @@
 """Positions and the lattice on examples worked out by hand."""
 
-from math import inf, nan, nextafter
+from math import inf, ldexp, nan, nextafter
 
 import pytest
 
@@ -118,6 +118,13 @@ def test_exponent_for_bits(width: float, bits: int, exponent: int) -> None:
     """
     line = Positions(Precision.F64, (0.0, 0.0, 0.0, width, 0.0, 0.0))
     assert exponent_for_bits(line, bits) == Accepted(exponent)
+
+
+@pytest.mark.parametrize("exponent", [-1074, -1073, 970, 971])
+def test_the_least_and_the_greatest_exponents_for_bits(exponent: int) -> None:
+    """So wide that not one step more is there. Clause: GEOM-CHOICE-1."""
+    line = Positions(Precision.F64, (0.0, 0.0, 0.0, ldexp(2**30 - 1, exponent), 0.0, 0.0))
+    assert exponent_for_bits(line, 30) == Accepted(exponent)
 
 
 def test_one_place_is_kept() -> None:

@@ -115,10 +115,25 @@ def toy(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def command(toy: Path, *options: str) -> subprocess.CompletedProcess[str]:
+BARE: Mapping[str, str] = {**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+"""The toy's tests need no plugin, and to load them takes longer than to run these."""
+
+AS_A_USER: tuple[str, ...] = ("-m", "clers.cli.mutation")
+
+IMPATIENT: tuple[str, ...] = (
+    "-c",
+    "from clers.measure.mutation import campaign; campaign.GRACE = 0.5;"
+    "from clers.cli import mutation; import typer; typer.run(mutation.main)",
+)
+"""The same, with half a second for a test that never ends; `limits` is tested by itself."""
+
+
+def command(
+    toy: Path, *options: str, by: tuple[str, ...] = AS_A_USER
+) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "clers.cli.mutation", *options],
-        cwd=toy, capture_output=True, text=True, check=False,
+        [sys.executable, *by, *options],
+        cwd=toy, env=BARE, capture_output=True, text=True, check=False,
     )  # fmt: skip
 
 
@@ -129,7 +144,8 @@ def read(path: Path) -> Report:
 def test_fates_of_a_toy(toy: Path) -> None:
     """Clauses: TOOL-MUTATION-3, TOOL-MUTATION-4, TOOL-MUTATION-5."""
     before = {path: path.read_bytes() for path in toy.rglob("*.py")}
-    done = command(toy, "toy.sums", "--workers", "2", "--memory", "2048", "--json", "out.json")
+    options = ("toy.sums", "--workers", "2", "--memory", "2048", "--json", "out.json")
+    done = command(toy, *options, by=IMPATIENT)
     assert done.returncode == 0, done.stderr
     report = read(toy / "out.json")
     found = {
@@ -239,8 +255,8 @@ def test_interrupted_it_reports_what_was_done(toy: Path) -> None:
         "    time.sleep(1)\n    assert small(2)\n"
     )
     begun = subprocess.Popen(
-        [sys.executable, "-m", "clers.cli.mutation", "toy.sums", "--json", "out.json"],
-        cwd=toy, stdout=subprocess.PIPE, text=True,
+        [sys.executable, *AS_A_USER, "toy.sums", "--json", "out.json"],
+        cwd=toy, env=BARE, stdout=subprocess.PIPE, text=True,
     )  # fmt: skip
     end = monotonic() + 60
     while not ((toy / "ran").exists() and (toy / "ran").stat().st_size >= 4):

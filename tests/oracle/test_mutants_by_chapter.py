@@ -51,7 +51,7 @@ def result(toy: Path, before: tuple[Row, ...] = ()) -> Result:
         [sys.executable, "-c", ALONE],
         input=msgspec.json.encode(before),
         cwd=toy,
-        env={**os.environ, "PYTHONPATH": str(toy)},
+        env={**os.environ, "PYTHONPATH": str(toy), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
         capture_output=True,
         check=True,
     )

@@ -2,12 +2,13 @@
 // An adapter for the oracle: requests on standard input, replies on standard output, one a line (chapter 9).
 
 const fs = require('node:fs');
-const { FormError, INPUTS, count, isObject } = require('./forms.js');
+const { FormError, INPUTS, count, isObject, plainInteger, text } = require('./forms.js');
 const { INTRODUCTION, OPERATIONS } = require('./operations.js');
 const { Rejection, Unsupported } = require('./rejection.js');
 
 const PROTOCOL = 1;
 const LINE_FEED = 0x0a;
+const HELLO = new Map([['protocol', plainInteger], ['spec', text], ['suite', text]]); // ORCL-HELLO-1
 
 /** ORCL-LINE-1. Written at once, so that nothing is left to be flushed. */
 function say(reply) {
@@ -21,16 +22,21 @@ function say(reply) {
   }
 }
 
+function checkKeys(request, known) {
+  const strange = Object.keys(request).find((key) => !known.includes(key));
+  if (strange !== undefined) throw new FormError(`/${strange}: no such key`);
+}
+
 /** The terminal reply to a request (ORCL-REPLY-1), without its id. */
 function answer(request, id) {
   if (request.op === 'hello') {
+    for (const [key, form] of HELLO) form(request[key], `/${key}`);
+    checkKeys(request, ['op', 'id', ...HELLO.keys()]);
     return request.protocol === PROTOCOL ? { ok: INTRODUCTION } : { unsupported: { cap: 'protocol' } }; // ORCL-HELLO-3
   }
   if (typeof request.op !== 'string') throw new FormError('a request has an op');
   if (!Object.hasOwn(OPERATIONS, request.op)) return { unsupported: { cap: request.op } }; // ORCL-REPLY-3
-  const known = ['op', 'id', 'in', 'trace'];
-  const strange = Object.keys(request).find((key) => !known.includes(key));
-  if (strange !== undefined) throw new FormError(`/${strange}: no such key`);
+  checkKeys(request, ['op', 'id', 'in', 'trace']);
   const wanted = request.trace === 'full';
   if (request.trace !== undefined && !wanted && request.trace !== 'none') throw new FormError('/trace: full or none');
   const input = INPUTS[request.op](request.in, '/in');
@@ -46,8 +52,9 @@ function reply(line) {
   try {
     const request = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(line));
     if (!isObject(request)) throw new FormError('a request is an object');
-    if (request.op === 'bye') process.exit(0); // ORCL-BYE-1
+    if (request.op === 'bye' && Object.keys(request).length === 1) process.exit(0); // ORCL-BYE-1
     id = count(request.id, '/id');
+    if (request.op === 'bye') checkKeys(request, ['op']);
     say({ id, ...answer(request, id) });
   } catch (fault) {
     if (fault instanceof Rejection) say({ id, reject: fault.form() });

@@ -28,7 +28,7 @@ function count(value, path) {
 
 /** A small integer that is never written as a string. */
 function plainInteger(value, path) {
-  return Number.isInteger(value) ? value + 0 : wrong(path, 'an integer');
+  return Number.isInteger(value) && Math.abs(value) <= LARGEST ? value + 0 : wrong(path, 'an integer');
 }
 
 function number(value, path) {
@@ -137,4 +137,4 @@ const INPUTS = {
   'codec.roundtrip': object({ ...connectivity, positions, error: list(bound) }, { positions: null, error: null }),
 };
 
-module.exports = { FormError, INPUTS, count, isObject };
+module.exports = { FormError, INPUTS, count, isObject, plainInteger, text };

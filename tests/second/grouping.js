@@ -5,12 +5,16 @@ const { next, previous } = require('./corners.js');
 
 const DIGIT = 13; // binary digits in one pass
 
-/** One pass: the places in an order, put in order by a digit of their keys; equal digits keep their order. */
-function sortByDigit(order, keys, shift) {
+/**
+ * One pass: the places in an order, put in order by a digit of their keys; equal digits keep their order. The keys are
+ * below `size`: of few there are few digits.
+ */
+function sortByDigit(order, keys, shift, size) {
   const mask = 2 ** DIGIT - 1;
-  const starts = new Int32Array(2 ** DIGIT + 1);
+  const values = Math.min(mask, (size - 1) >> shift) + 1;
+  const starts = new Int32Array(values + 1);
   for (let place = 0; place < keys.length; place += 1) starts[((keys[place] >> shift) & mask) + 1] += 1;
-  for (let value = 0; value < 2 ** DIGIT; value += 1) starts[value + 1] += starts[value];
+  for (let value = 0; value < values; value += 1) starts[value + 1] += starts[value];
   const sorted = new Int32Array(order.length);
   for (let rank = 0; rank < order.length; rank += 1) {
     const digit = (keys[order[rank]] >> shift) & mask;
@@ -29,7 +33,7 @@ function forEachGroup(columns, size, visit) {
   let sorted = new Int32Array(count);
   for (let place = 0; place < count; place += 1) sorted[place] = place;
   for (const keys of columns) {
-    for (let shift = 0; 2 ** shift < size; shift += DIGIT) sorted = sortByDigit(sorted, keys, shift);
+    for (let shift = 0; 2 ** shift < size; shift += DIGIT) sorted = sortByDigit(sorted, keys, shift, size);
   }
   const alike = (one, other) => {
     for (const keys of columns) if (keys[one] !== keys[other]) return false;

@@ -40,6 +40,19 @@ class Bits:
         number = (first << other.length | second) << -length % 8
         return Bits(number.to_bytes((length + 7) // 8, "big"), length)
 
+    def upto(self, count: int) -> "Bits":
+        """The first bits, at most so many."""
+        length = min(count, self.length)
+        size = (length + 7) // 8
+        number = int.from_bytes(self.data[:size], "big") >> -length % 8 << -length % 8
+        return Bits(number.to_bytes(size, "big"), length)
+
+    def after(self, count: int) -> "Bits":
+        """The bits after so many; there are as many."""
+        length = self.length - count
+        rest = int.from_bytes(self.data, "big") >> -self.length % 8 & (1 << length) - 1
+        return Bits((rest << -length % 8).to_bytes((length + 7) // 8, "big"), length)
+
 
 def pack(values: Iterable[int]) -> Bits:
     """Pack bits given one by one, each 0 or 1. Clause: ARITH-BITS-2."""

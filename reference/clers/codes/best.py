@@ -14,54 +14,69 @@ from clers.conventions.clause import Clause
 from clers.conventions.reason import Reason
 from clers.conventions.result import Accepted, Rejected
 
+Least = Callable[[str, Shape, int], int]
+"""A number of bits, from symbols, their shape, and how many of them are C."""
+
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A code, its selector, and a number of bits that it does not go below.
+    """A code, its selector, and numbers of bits that it does not go below.
 
-    `least` is cheap: it saves runs of codes that cannot win, and changes no choice.
+    `least`: the first costs least to know, the last is the closest. They save runs of codes that
+    cannot win, and change no choice.
     """
 
     selector: str
     code: Code
-    least: Callable[[str, Shape], int]
+    least: tuple[Least, ...]
 
 
-def _least_enumerative(symbols: str, shape: Shape) -> int:
+def _least_enumerative(symbols: str, shape: Shape, cs: int) -> int:
     """All spheres of so many faces cost the same but for rounding. Clause: CODE-ENUM-2."""
-    del shape
+    del shape, cs
     ones = max(0, (len(symbols) + 2) // 2 - 2)
     information = (lgamma(4 * ones + 1) - lgamma(ones + 1) - lgamma(3 * ones + 1)) / log(2)
     return floor(information * 0.9999) - 1
 
 
-def _least_golden(symbols: str, shape: Shape) -> int:
+def _cheaply_golden(symbols: str, shape: Shape, cs: int) -> int:
+    """A unit for each C, and three for each other symbol. Clause: CODE-GOLDEN-1."""
+    del shape
+    units = 3 * len(symbols) - 2 * cs
+    return floor(units * golden.UNIT * 0.9999) - 1
+
+
+def _least_golden(symbols: str, shape: Shape, cs: int) -> int:
     """The units of a word without CL and CE; other words it refuses. Clause: CODE-GOLDEN-4."""
-    units = 4 * len(symbols) - 3 * symbols.count("C") + symbols.count("S") - symbols.count("E")
+    units = 4 * len(symbols) - 3 * cs + symbols.count("S") - symbols.count("E")
     after_c = 1 if shape.head else 0  # its first symbol costs a unit less
     return floor((units - after_c) * golden.UNIT * 0.9999) - 1
 
 
-def _least_king_rossignac(symbols: str, shape: Shape) -> int:
-    """Its very length, by the pairs of symbols; 0 where it will refuse. Clause: CODE-KR-4."""
-    whole = shape.head + symbols
-    if "CL" in whole or "CE" in whole:
-        return 0
+def _cheaply_king_rossignac(symbols: str, shape: Shape, cs: int) -> int:
+    """A bit for each C, and two for each other symbol. Clause: CODE-KR-1."""
+    del shape
+    return 2 * len(symbols) - cs + king_rossignac.SELECTOR
+
+
+def _least_king_rossignac(symbols: str, shape: Shape, cs: int) -> int:
+    """Its very length, by the pairs of symbols; words with CL or CE it refuses. CODE-KR-4."""
+    del cs
     return min(king_rossignac.lengths(symbols, shape.head)) + king_rossignac.SELECTOR
 
 
-def _least_plain(symbols: str, shape: Shape) -> int:
+def _least_plain(symbols: str, shape: Shape, cs: int) -> int:
     """Its very length. Clause: CODE-PLAIN-1."""
     del shape
-    return 3 * len(symbols) - 2 * symbols.count("C")
+    return 3 * len(symbols) - 2 * cs
 
 
 CANDIDATES: Final = (
-    Candidate("0", context.CODE, lambda symbols, shape: 0),
-    Candidate("100", enumerative.CODE, _least_enumerative),
-    Candidate("101", golden.CODE, _least_golden),
-    Candidate("110", king_rossignac.CODE, _least_king_rossignac),
-    Candidate("111", plain.CODE, _least_plain),
+    Candidate("0", context.CODE, ()),
+    Candidate("100", enumerative.CODE, (_least_enumerative,)),
+    Candidate("101", golden.CODE, (_cheaply_golden, _least_golden)),
+    Candidate("110", king_rossignac.CODE, (_cheaply_king_rossignac, _least_king_rossignac)),
+    Candidate("111", plain.CODE, (_least_plain,)),
 )
 """In the order in which ties are decided. Clause: CODE-BEST-1."""
 
@@ -88,10 +103,11 @@ class Chosen:
 def chosen(symbols: str, shape: Shape, known: Mapping[str, Bits]) -> Chosen:
     """The shortest, where the bits of some selectors are known. Clause: CODE-BEST-1."""
     best: Chosen | None = None
+    cs = symbols.count("C")
     for candidate in CANDIDATES:
         selector = candidate.selector
-        least = len(selector) + candidate.least(symbols, shape)
-        if best is not None and least >= best.length:
+        bounds = (len(selector) + least(symbols, shape, cs) for least in candidate.least)
+        if best is not None and any(bound >= best.length for bound in bounds):
             continue
         given = known.get(selector)
         found = candidate.code.encode(symbols, shape) if given is None else Accepted(given)
@@ -114,13 +130,12 @@ def encode(symbols: str, shape: Shape) -> Accepted[Bits] | Rejected:
 
 def decode(bits: Bits, count: int, shape: Shape) -> Accepted[str] | Rejected:
     """The symbols, if no other code would have been chosen. Linear. Clause: CODE-BEST-2."""
-    values = bits.values()
-    digits = bits.digits()[:LONGEST]
+    digits = bits.upto(LONGEST).digits()
     candidate = next((c for c in CANDIDATES if digits.startswith(c.selector)), None)
     if candidate is None:
         detail = f"{bits.length} bits are no selector"
         return Rejected(Reason.TRUNCATED_BITS, Clause.CODE_BEST_2, detail=detail)
-    rest = pack(values[len(candidate.selector) :])
+    rest = bits.after(len(candidate.selector))
     found = candidate.code.decode(rest, count, shape)
     if isinstance(found, Rejected):
         return found

@@ -41,10 +41,13 @@ def lengths(symbols: str, head: str) -> tuple[int, ...]:
     The symbols have neither CL nor CE. Clause: CODE-KR-4.
     """
     whole = head + symbols
+    count = {x: symbols.count(x) for x in "CSRE"}
+    count["L"] = len(symbols) - sum(count.values())
     after_c = {x: whole.count("C" + x) for x in "SR"}
-    after_c["C"] = whole[:-1].count("C") - sum(after_c.values())
+    followed = count["C"] + head.count("C") - whole.endswith("C")
+    after_c["C"] = followed - sum(after_c.values())
     fixed = sum(n * len(AFTER_C[x]) for x, n in after_c.items())
-    free = [(x, symbols.count(x) - after_c.get(x, 0)) for x in OTHERWISE[0]]
+    free = [(x, count[x] - after_c.get(x, 0)) for x in OTHERWISE[0]]
     return tuple(fixed + sum(n * len(table[x]) for x, n in free) for table in OTHERWISE)
 
 

@@ -46,9 +46,9 @@ def line_of(message: Request | Reply) -> bytes:
 
 
 def object_in(line: bytes) -> dict[str, msgspec.Raw] | NoMessage:
-    """The keys of a line, their values unread."""
+    """The keys of a line of UTF-8, their values unread. Clause: ORCL-LINE-1."""
     try:
-        return _OBJECT.decode(line)
+        return _OBJECT.decode(line.decode())
     except FAULTS as fault:
         return NoMessage(str(fault))
 

@@ -129,19 +129,20 @@ def open_file(data: bytes, limits: FileLimits = DEFAULT_FILE_LIMITS) -> Accepted
 def _prologue(data: bytes) -> Accepted[int] | Rejected:
     """Where the sections of a file begin. Clauses: FILE-MAGIC-1, FILE-MAGIC-2."""
     window = Window(data, len(data))
-    magic = raw(len(MAGIC)).read(window, 0)
-    if isinstance(magic, Rejected):
-        return magic
-    if magic.value.value != MAGIC:
-        detail = magic.value.value.hex(" ")
-        return Rejected(Reason.BAD_MAGIC, Clause.FILE_MAGIC_1, AtByte(0), detail)
-    version = U8.read(window, magic.value.offset)
-    if isinstance(version, Rejected):
-        return version
-    if version.value.value != VERSION:
-        where, detail = AtByte(len(MAGIC)), f"version {version.value.value}"
-        return Rejected(Reason.UNKNOWN_VERSION, Clause.FILE_MAGIC_2, where, detail)
-    return Accepted(version.value.offset)
+    first = raw(len(MAGIC)).read(window, 0)
+    if isinstance(first, Rejected):
+        return first
+    magic = first.value.value
+    if magic != MAGIC:
+        return Rejected(Reason.BAD_MAGIC, Clause.FILE_MAGIC_1, AtByte(0), magic.hex(" "))
+    second = U8.read(window, first.value.offset)
+    if isinstance(second, Rejected):
+        return second
+    version = second.value.value
+    if version != VERSION:
+        where = AtByte(len(MAGIC))
+        return Rejected(Reason.UNKNOWN_VERSION, Clause.FILE_MAGIC_2, where, f"version {version}")
+    return Accepted(second.value.offset)
 
 
 def _open(

@@ -30,20 +30,23 @@ def scanned(stream: Stream) -> Accepted[Scan] | Rejected:
 
 def records_of(records: Sequence[Record]) -> Records:
     """The handle data as flat arrays; numbers beyond all that there are stay so, and in order."""
-    far = {s: s for s in (record.s for record in records) if abs(s) >= FAR}
-    for rank, s in enumerate(sorted(far)):
-        far[s] = FAR + rank if s > 0 else rank - 2 * FAR
+    s = [record.s for record in records]
+    if s and not -FAR < min(s) <= max(s) < FAR:
+        far = {number: number for number in s if abs(number) >= FAR}
+        for rank, number in enumerate(sorted(far)):
+            far[number] = FAR + rank if number > 0 else rank - 2 * FAR
+        s = [far.get(number, number) for number in s]
     return Records(
-        vec[i64](far.get(record.s, record.s) for record in records),
-        vec[i64](_within(record.at) for record in records),
-        vec[i64](int(record.side is Side.LEFT) for record in records),
-        vec[i64](int(record.kind is Kind.BOUNDARY) for record in records),
+        vec[i64](s),
+        vec[i64]([_within(record.at) for record in records]),
+        vec[i64]([record.side is Side.LEFT for record in records]),
+        vec[i64]([record.kind is Kind.BOUNDARY for record in records]),
     )
 
 
 def _within(number: int) -> int:
     """The number, or one that is as much out of range."""
-    return max(-1, min(number, FAR))
+    return number if 0 <= number < FAR else -1 if number < 0 else FAR
 
 
 def _fault(stream: Stream, scan: Scan) -> Rejected:

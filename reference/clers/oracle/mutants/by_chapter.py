@@ -58,6 +58,8 @@ OF_KERNELS: Final = (
     "tests/codes/test_handle_data.py",
     f"{_CONTEXT}::test_the_cube_by_hand",
     f"{_CONTEXT}::test_both_readings_of_the_examples",
+    f"{_CONTEXT}::test_more_contexts_than_there_is_room_for",
+    f"{_CONTEXT}::test_a_run_costs_no_less_than_a_reader_believes",
     f"{_CONTEXT}::test_symbols_that_no_loop_allows",
     f"{_CONTEXT}::test_where_a_recorded_s_can_be",
     f"{_CONTEXT}::test_truncated_and_trailing_bits",

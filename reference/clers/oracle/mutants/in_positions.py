@@ -57,8 +57,8 @@ MUTANTS: Final = (
         "positions-in-inverse-order",
         Clause.GEOM_ORDER_1,
         ORDER,
-        "moved = tuple(x for v in order for",
-        "moved = tuple(x for v in sorted(range(len(order)), key=order.__getitem__) for",
+        "return tuple(x for v in order for",
+        "return tuple(x for v in sorted(range(len(order)), key=order.__getitem__) for",
         "Positions are put in the inverse of the order of creation.",
     ),
     Mutant(

@@ -83,6 +83,14 @@ READ: Final[Mapping[tuple[str, str], Why]] = {
         "+ corners = [Corner((-1))] * len(surface.vertex)",
     ): Why(Kind.EQUIVALENT, "each corner is one of a face, so that each entry is written"),
     (
+        "clers.container.contents",
+        '- nothing = Accepted(Bits(b"", 0)) + nothing = Accepted(Bits((0), (b"")))',
+    ): Why(Kind.EQUIVALENT, "bits of handle data are looked at only if there are records"),
+    (
+        "clers.geometry.order",
+        "- inverse = [0] * len(order) + inverse = [1] * len(order)",
+    ): Why(Kind.EQUIVALENT, "the order has every vertex, so that each entry is written"),
+    (
         "clers.codes.minimax_search",
         "- best, step = _slope(of, *at), 2.0**-10 + best, step = _slope(of, *at), 1.0**-10",
     ): Why(
