@@ -18,7 +18,6 @@ from mypy_extensions import i64, u8
 
 QUARTER: Final = 0x4000_0000
 HALF: Final = 0x8000_0000
-THREE_QUARTERS: Final = 0xC000_0000
 TOP: Final = 0xFFFF_FFFF
 """32 ones; n ones are these shifted down by 32 - n. Lesser literals are shifted in 32 bits."""
 
