@@ -1,10 +1,10 @@
 """All shifts of a symbol at once are those one by one: `python proofs_notes/smt/shifts.py`.
 
 The kernel counts the leading bits that both ends of a state share, and then the ones below the
-first bit of the lower end that are zeros in the higher one; it shifts by both counts at once. Here
-is shown that one shift of ARITH-SHIFT-1 and then all at once is all at once, with one more counted:
-by induction the shifts one after another lead to the same state, and the same value but for the
-bits that are read, which are added below.
+first other bit of the lower end that are zeros in the higher one; it shifts by both counts at once.
+Here is shown that one shift of ARITH-SHIFT-1 and then all at once is all at once, with one more
+counted: by induction the shifts one after another lead to the same state, and the value as far
+above its lower end, but for the bits that are read, which are added below.
 Clauses: ARITH-SHIFT-1, ARITH-SHIFT-2, ARITH-DECODE-3. The note: kernels.md.
 """
 
@@ -16,7 +16,7 @@ from z3 import UGE, ULE, ULT, And, BitVec, BitVecRef, BitVecVal, BoolRef, If, LS
 WIDE = 64
 low, high, v = (BitVec(name, WIDE) for name in ("low", "high", "v"))
 Q = 1 << 30
-HALF, TOP, REST = 2 * Q, 4 * Q - 1, 2 * Q - 1
+HALF, TOP = 2 * Q, 4 * Q - 1
 STATE = And(ULE(low, v), ULE(v, high), ULE(high, TOP))
 
 
@@ -29,14 +29,15 @@ def bit_length(number: BitVecRef) -> BitVecRef:
 
 
 def at_once(low: BitVecRef, high: BitVecRef, v: BitVecRef) -> tuple[BitVecRef, ...]:
-    """What the kernel makes of a state and a value: both counts, both ends and the value."""
+    """What the kernel makes of a state and a value: both counts, both ends, value less low end."""
     shared = 32 - bit_length(low ^ high)
-    mask = LShR(BitVecVal(TOP, WIDE), shared)
-    below, above = (low & mask) << shared, ((high & mask) << shared) + LShR(TOP, 32 - shared)
-    value = (v & mask) << shared
-    central = 31 - bit_length((above | ~below) & REST)
-    ends = (below << central) & REST, (above << central) & REST | HALF | LShR(TOP, 32 - central)
-    return shared, central, *ends, (value & HALF) + ((value << central) & REST)
+    other = (high | ~low) & LShR(BitVecVal(TOP, WIDE), shared + 1)
+    left = 31 - shared - bit_length(other)
+    central = If(left < 0, BitVecVal(0, WIDE), left)
+    count = shared + central
+    mask = LShR(BitVecVal(TOP, WIDE), count + 1)
+    above = (high & mask) << count | HALF | LShR(TOP, 32 - count)
+    return shared, central, (low & mask) << count, above, (v - low) << count
 
 
 def same(one: tuple[BitVecRef, ...], other: tuple[BitVecRef, ...]) -> BoolRef:
@@ -70,7 +71,7 @@ LEMMAS = (
     Lemma(
         "settled-at-once", "nothing is done to a settled state",
         (STATE, Not(LOWER), Not(HIGHER), Not(MIDDLE)),
-        same(at_once(low, high, v), (BitVecVal(0, WIDE), BitVecVal(0, WIDE), low, high, v)),
+        same(at_once(low, high, v), (BitVecVal(0, WIDE), BitVecVal(0, WIDE), low, high, v - low)),
     ),
     Lemma(
         "at-most-32-at-once", "both counts together are at most 32",

@@ -7,7 +7,8 @@ import pytest
 from clers.arithmetic.coder import REFERENCE
 from clers.arithmetic.exact import of_number
 from clers.arithmetic.laws import laws_of
-from clers.arithmetic.steps import HALF, QUARTER, State, narrow, offset
+from clers.arithmetic.laws_steps import LAWS_OF_STEPS
+from clers.arithmetic.steps import HALF, QUARTER, TOP, State, narrow, offset
 from clers.conventions.result import Accepted
 from clers.conventions.verdict import Holds
 from clers.information.combined import Turns, followed, times
@@ -83,3 +84,18 @@ def test_the_search_at_the_first_integer_of_a_part() -> None:
         read = REFERENCE.read(thirds, of_number(value, 32), 1)
         assert isinstance(read, Accepted)
         assert read.value.symbols == (symbol,)
+
+
+ENDS: Final = tuple(
+    sorted(
+        {end + less for end in (0, 1, QUARTER, HALF, 3 * QUARTER, TOP) for less in (-2, -1, 0, 1)}
+    )
+)
+
+
+@pytest.mark.parametrize("low", [end for end in ENDS if 0 <= end <= TOP])
+def test_any_state_is_shifted_at_once(low: int) -> None:
+    """ARITH-SHIFT-1: from no shift to 32 of them, where both ends are one number."""
+    law = next(law for law in LAWS_OF_STEPS if law.name == "shifts-at-once")
+    for high in (end for end in ENDS if low <= end <= TOP):
+        assert law.check(State(low, high)) == Holds(), high

@@ -12,6 +12,7 @@ from clers.conventions.verdict import Fails, Verdict
 from clers.conventions.where import WHOLE, AtSymbol
 from clers.information.given import MESSAGE, Message
 from clers.information.model import Slot, cumulative, slots
+from clers.kernels.interval import Decoder, Encoder
 
 Q: Final = 2**30
 
@@ -80,6 +81,22 @@ def _shifting_settles(given: State) -> Verdict:
     return same(True, _is_settled(state))
 
 
+def _shifts_at_once(given: State) -> Verdict:
+    """Clauses: ARITH-SHIFT-1, ARITH-SHIFT-2."""
+    state, shifts = given, 0
+    while (away := offset(state)) is not None:
+        state, shifts = shifted(state, away), shifts + 1
+    to, of = Encoder(), Decoder(b"")
+    read = of.at
+    to.settle(given.low, given.high)
+    of.settle(given.low, given.high)
+    sent = 8 * len(to.out) + to.holding + to.pending
+    return every(
+        same((state, shifts), (State(to.low, to.high), sent)),
+        same((state, shifts), (State(of.low, of.high), of.at - read)),
+    )
+
+
 LAWS_OF_STEPS: Final[tuple[AnyLaw, ...]] = (
     Law(
         "states-are-settled",
@@ -101,5 +118,12 @@ LAWS_OF_STEPS: Final[tuple[AnyLaw, ...]] = (
         "each shift keeps the bounds and doubles the width; after 32 at most none applies",
         INTERVAL,
         _shifting_settles,
+    ),
+    Law(
+        "shifts-at-once",
+        Clause.ARITH_SHIFT_1,
+        "the kernels of the coder shift at once as far as one shift after another does",
+        INTERVAL,
+        _shifts_at_once,
     ),
 )

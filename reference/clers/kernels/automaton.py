@@ -61,16 +61,15 @@ def decoded(tables: Tables, context: i64, count: i64, longest: i64, of: Decoder)
         base: i64 = context * row
         total: i64 = cumulative[base + size]
         # `target` says the same: it is below a number if and only if these products are in order.
-        # All are compared, since it costs more to guess wrong; >> 63 gives -1 below 0, and 0 else.
         width: i64 = of.high - of.low + 1
-        aim: i64 = (of.value - of.low + 1) * total
+        aim: i64 = (of.offset + 1) * total
         at: i64 = base
-        k: i64 = 1
-        while k < size:
-            at -= (width * cumulative[base + k] - aim) >> 63
-            k += 1
-        below: i64 = cumulative[at]
-        upto: i64 = cumulative[at + 1]
+        below: i64 = 0
+        upto: i64 = cumulative[base + 1]
+        while width * upto < aim:
+            at += 1
+            below = upto
+            upto = cumulative[at + 1]
         of.narrow(below, upto, total)
         if of.at - AHEAD > longest:
             break

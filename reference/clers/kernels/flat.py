@@ -1,4 +1,8 @@
-"""Flat arrays of integers that are all the same."""
+"""Flat arrays of integers that are all the same.
+
+Machine code fills an array where a list of one number is multiplied in its place; to extend an
+array by another takes ten times as long.
+"""
 
 from librt.vecs import vec
 from mypy_extensions import i32, i64, u8
@@ -10,13 +14,13 @@ def repeated(number: i64, length: i64) -> vec[i64]:
 
 
 def zeros(length: i64) -> vec[i64]:
-    """So many zeros."""
-    return repeated(0, length)
+    """So many zeros: memory that nobody writes to is not touched."""
+    return vec[i64]([0] * length)
 
 
 def minus_ones(length: i64) -> vec[i64]:
     """So many times −1."""
-    return repeated(-1, length)
+    return vec[i64]([-1] * length)
 
 
 def flags(length: i64) -> vec[u8]:

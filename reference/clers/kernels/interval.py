@@ -18,12 +18,8 @@ from mypy_extensions import i64, u8
 
 QUARTER: Final = 0x4000_0000
 HALF: Final = 0x8000_0000
-THREE_QUARTERS: Final = 0xC000_0000
 TOP: Final = 0xFFFF_FFFF
-"""32 ones; n ones are these shifted down by 32 - n. mypyc would shift a 1 up in 32 bits only."""
-
-REST: Final = 0x7FFF_FFFF
-"""All bits but the first."""
+"""32 ones; n ones are these shifted down by 32 - n. Lesser literals are shifted in 32 bits."""
 
 AHEAD: Final = 30
 """How many bits a decoder has read beyond what an encoder writes if it ends here."""
@@ -64,40 +60,44 @@ class Encoder:
 
     def settle(self, low: i64, high: i64) -> None:
         """Write the bits that are the same in the whole interval, and widen it. ARITH-SHIFT-2."""
-        shared: i64 = 32 - int(low ^ high).bit_length()
+        unlike: int = low ^ high
+        shared: i64 = 32 - unlike.bit_length()
         if shared > 0:
-            unlike: i64 = 32 - shared
-            self.send(low >> unlike, shared)
-            mask: i64 = TOP >> shared
-            low = (low & mask) << shared
-            high = ((high & mask) << shared) + (TOP >> unlike)
-        if low >= QUARTER and high < THREE_QUARTERS:
-            central: i64 = central_shifts(low, high)
+            bits: i64 = low >> 32 - shared
+            if self.pending > 0:
+                self.send_pending(bits, shared)
+            else:
+                self.held = self.held << shared | bits
+                self.holding += shared
+            if self.holding >= 31:
+                self.flush()
+        other: int = (high | ~low) & TOP >> shared + 1
+        central: i64 = 31 - shared - other.bit_length()
+        if central > 0:
             self.pending += central
-            low = (low << central) & REST
-            high = (high << central) & REST | HALF | TOP >> 32 - central
+            shared += central
+        if shared > 0:
+            low = (low & TOP >> shared + 1) << shared
+            high = (high & TOP >> shared + 1) << shared | HALF | TOP >> 32 - shared
         self.low = low
         self.high = high
 
-    def send(self, bits: i64, count: i64) -> None:
-        """Write so many bits, after the first those that are pending. Clause: ARITH-SHIFT-2."""
-        if self.pending > 0:
-            rest: i64 = count - 1
-            first: i64 = bits >> rest
-            self.hold(first, 1)
-            while self.pending > 0:
-                self.pending -= 1
-                self.hold(1 - first, 1)
-            bits -= first << rest
-            count = rest
-        self.hold(bits, count)
-
-    def hold(self, bits: i64, count: i64) -> None:
-        """Write so many bits, at most 32."""
-        self.held = self.held << count | bits
-        self.holding += count
-        if self.holding >= 32:
+    def send_pending(self, bits: i64, count: i64) -> None:
+        """Write so many bits, and after the first its opposite as often as bits are pending."""
+        rest: i64 = count - 1
+        first: i64 = bits >> rest
+        self.held = self.held << 1 | first
+        self.holding += 1
+        while self.pending > 0:
+            if self.holding >= 31:
+                self.flush()
+            self.pending -= 1
+            self.held = self.held << 1 | 1 - first
+            self.holding += 1
+        if self.holding >= 31:
             self.flush()
+        self.held = self.held << rest | bits - (first << rest)
+        self.holding += rest
 
     def flush(self) -> None:
         """Write the whole bytes of what is held."""
@@ -116,7 +116,7 @@ class Encoder:
         """
         last: i64 = 0 if self.low < QUARTER else 1
         self.pending += 1
-        self.send(last, 1)
+        self.send_pending(last, 1)
         self.flush()
         self.length = 8 * len(self.out) + self.holding
         if self.holding > 0:
@@ -128,7 +128,8 @@ class Decoder:
     """Finds which part of an interval some bits point into; private and mutable.
 
     `bits`: packed, the first the highest, and after the last come zeros. `at`: how many were read,
-    which is AHEAD of what an encoder has written by now if it ends here.
+    which is AHEAD of what an encoder has written by now if it ends here. `offset`: how far the
+    number that they point at lies above `low`; a shift doubles it, whichever half it takes away.
     Clauses: ARITH-DECODE-1 … ARITH-DECODE-4.
     """
 
@@ -137,28 +138,21 @@ class Decoder:
         self.high: i64 = TOP
         self.bits = bits + bytes(WINDOW)
         self.end: i64 = 8 * len(bits)
-        self.at: i64 = 0
-        self.value: i64 = self.take(32)
-
-    def take(self, count: i64) -> i64:
-        """Read so many bits, at most 32."""
-        at: i64 = self.at
-        self.at = at + count
-        if at >= self.end:
-            return 0
-        window: i64 = read_i64_be(self.bits, at >> 3)
-        return (window >> 64 - (at & 7) - count) & TOP >> 32 - count
+        self.at: i64 = 32
+        self.offset: i64 = read_i64_be(self.bits, 0) >> 32 & TOP
 
     def target(self, total: i64) -> i64:
         """A number below the total: in the part of the symbol that was meant. ARITH-DECODE-2."""
         width: i64 = self.high - self.low + 1
-        return ((self.value - self.low + 1) * total - 1) // width
+        return ((self.offset + 1) * total - 1) // width
 
     def narrow(self, below: i64, upto: i64, total: i64) -> None:
         """Take the part of the interval that was meant, and shift."""
         low: i64 = self.low
         width: i64 = self.high - low + 1
-        self.settle(low + width * below // total, low + width * upto // total - 1)
+        first: i64 = width * below // total
+        self.offset -= first
+        self.settle(low + first, low + width * upto // total - 1)
 
     def decide(self, no: i64) -> bool:
         """Which of two parts was meant, the first `no` of the interval or the rest; take it.
@@ -166,32 +160,34 @@ class Decoder:
         `target` says the same: with the interval's width w, v from its lower end, and some of a
         total for no, (v + 1) · total - 1 >= w · some if and only if v >= w · some // total.
         """
-        if self.value >= self.low + no:
+        if self.offset >= no:
+            self.offset -= no
             self.settle(self.low + no, self.high)
             return True
         self.settle(self.low, self.low + no - 1)
         return False
 
     def settle(self, low: i64, high: i64) -> None:
-        """Shift out the bits that are the same in the whole interval, and read as many.
-
-        Nothing is asked: to guess wrong costs more than to shift by nothing.
-        """
-        shared: i64 = 32 - int(low ^ high).bit_length()
-        mask: i64 = TOP >> shared
-        low = (low & mask) << shared
-        high = ((high & mask) << shared) + (TOP >> 32 - shared)
-        value: i64 = (self.value & mask) << shared
-        central: i64 = central_shifts(low, high)
-        self.low = (low << central) & REST
-        self.high = (high << central) & REST | HALF | TOP >> 32 - central
-        self.value = (value & HALF) + ((value << central) & REST) + self.take(shared + central)
+        """Shift out the bits that are the same in the whole interval, and read as many."""
+        unlike: int = low ^ high
+        shared: i64 = 32 - unlike.bit_length()
+        other: int = (high | ~low) & TOP >> shared + 1
+        count: i64 = 31 - other.bit_length()
+        if shared > count:
+            count = shared
+        if count > 0:
+            low = (low & TOP >> count + 1) << count
+            high = (high & TOP >> count + 1) << count | HALF | TOP >> 32 - count
+            at: i64 = self.at
+            offset: i64 = self.offset << count
+            if at < self.end:
+                window: i64 = read_i64_be(self.bits, at >> 3) >> 64 - (at & 7) - count
+                offset += window & TOP >> 32 - count
+            self.offset = offset
+            self.at = at + count
+        self.low = low
+        self.high = high
 
     def canonical(self) -> bool:
         """Whether an encoder ends here with the bits that were read. Clause: ARITH-DECODE-4."""
-        return self.value // QUARTER == (1 if self.low < QUARTER else 2)
-
-
-def central_shifts(low: i64, high: i64) -> i64:
-    """How often the central half can be widened: first bits 0 and 1, then ones and zeros."""
-    return 31 - int((high | ~low) & REST).bit_length()
+        return (self.low + self.offset) // QUARTER == (1 if self.low < QUARTER else 2)

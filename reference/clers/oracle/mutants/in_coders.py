@@ -17,11 +17,13 @@ MUTANTS: Final = (
         Clause.ARITH_SHIFT_1,
         INTERVAL,
         """\
-        shared: i64 = 32 - int(low ^ high).bit_length()
+        unlike: int = low ^ high
+        shared: i64 = 32 - unlike.bit_length()
         if shared > 0:
 """,
         """\
-        shared: i64 = 32 - int(low ^ (high - 1 if high == HALF else high)).bit_length()
+        unlike: int = low ^ (high - 1 if high == HALF else high)
+        shared: i64 = 32 - unlike.bit_length()
         if shared > 0:
 """,
         "An interval that ends in the first number of the higher half is shifted as lower.",
@@ -30,22 +32,16 @@ MUTANTS: Final = (
         "underflow-lost",
         Clause.ARITH_SHIFT_1,
         INTERVAL,
-        "        if low >= QUARTER and high < THREE_QUARTERS:\n",
-        "        if low >= QUARTER and high < THREE_QUARTERS and high < low:\n",
+        "        if central > 0:\n",
+        "        if central > 32:\n",
         "A central half is not shifted.",
     ),
     Mutant(
         "central-half-too-wide",
         Clause.ARITH_SHIFT_1,
         INTERVAL,
-        """\
-        if low >= QUARTER and high < THREE_QUARTERS:
-            central: i64 = central_shifts(low, high)
-""",
-        """\
-        if low >= QUARTER and high <= THREE_QUARTERS:
-            central: i64 = central_shifts(low, high) + (high == THREE_QUARTERS)
-""",
+        "31 - shared - other.bit_length()",
+        "31 - shared - other.bit_length() + (QUARTER <= low < HALF and high == 3 * QUARTER)",
         "An interval that ends in the first number of the last quarter is shifted as central.",
     ),
     Mutant(
@@ -53,13 +49,15 @@ MUTANTS: Final = (
         Clause.ARITH_SHIFT_2,
         INTERVAL,
         """\
-            while self.pending > 0:
-                self.pending -= 1
-                self.hold(1 - first, 1)
+        while self.pending > 0:
+            if self.holding >= 31:
+                self.flush()
+            self.pending -= 1
 """,
         """\
-            for _ in range(self.pending):
-                self.hold(1 - first, 1)
+        for _ in range(self.pending):
+            if self.holding >= 31:
+                self.flush()
 """,
         "Pending bits are sent again.",
     ),
@@ -67,24 +65,24 @@ MUTANTS: Final = (
         "pending-bits-alike",
         Clause.ARITH_SHIFT_2,
         INTERVAL,
-        "self.hold(1 - first, 1)",
-        "self.hold(first, 1)",
+        "| 1 - first",
+        "| first",
         "Pending bits are not the opposite of the bit before them.",
     ),
     Mutant(
         "last-bit-missing",
         Clause.ARITH_END_1,
         INTERVAL,
-        "        self.pending += 1\n        self.send(last, 1)\n",
-        "        self.send(last, 1)\n",
+        "        self.pending += 1\n        self.send_pending(last, 1)\n",
+        "        self.send_pending(last, 1)\n",
         "The last bit is missing.",
     ),
     Mutant(
         "bit-too-many-at-end",
         Clause.ARITH_END_1,
         INTERVAL,
-        "        self.pending += 1\n        self.send(last, 1)\n",
-        "        self.pending += 2\n        self.send(last, 1)\n",
+        "        self.pending += 1\n        self.send_pending(last, 1)\n",
+        "        self.pending += 2\n        self.send_pending(last, 1)\n",
         "One bit more than needed ends a message.",
     ),
     Mutant(
@@ -113,8 +111,8 @@ MUTANTS: Final = (
         "slot-rounded",
         Clause.ARITH_DECODE_2,
         INTERVAL,
-        "((self.value - self.low + 1) * total - 1) // width",
-        "(self.value - self.low) * total // width",
+        "((self.offset + 1) * total - 1) // width",
+        "self.offset * total // width",
         "The decoder looks its symbol up without the mends of rounding.",
     ),
     Mutant(
