@@ -16,13 +16,13 @@ MUTANTS: Final = (
         """\
                 word.append(R)
                 gate = left_gate
-            elif not right_closed:
+            elif right_seen == UNVISITED:
                 word.append(L)
 """,
         """\
                 word.append(L)
                 gate = left_gate
-            elif not right_closed:
+            elif right_seen == UNVISITED:
                 word.append(R)
 """,
         "R and L are swapped.",
@@ -34,11 +34,11 @@ MUTANTS: Final = (
         """\
                 gate = right_gate
                 continue
-            right_closed: bool""",
+            left: i64""",
         """\
-                gate = left_gate
+                gate = opposite[gate - 1 if turn else gate + 2]
                 continue
-            right_closed: bool""",
+            left: i64""",
         "After a C the walk goes on at the left gate.",
     ),
     Mutant(
@@ -102,12 +102,11 @@ MUTANTS: Final = (
         Clause.EB_TRAVERSE_2,
         WALK,
         """\
-                self.meet(v)
-                gate""",
+                mark[v] = MARKED
+                order""",
         """\
-                self.meet(v)
                 mark[v] = UNSEEN
-                gate""",
+                order""",
         "A C does not mark its apex.",
     ),
     Mutant(
@@ -138,16 +137,16 @@ MUTANTS: Final = (
         "wrong-start-gate",
         Clause.EB_COMPONENT_2,
         WALK,
-        "walk.traverse(opposite[c])",
-        "walk.traverse(opposite[c + 1])",
+        "walk.traverse(opposite[3 * t])",
+        "walk.traverse(opposite[3 * t + 1])",
         "A closed component is entered across the wrong edge of its first triangle.",
     ),
     Mutant(
         "first-curve-from-other-end",
         Clause.EB_COMPONENT_1,
         WALK,
-        "walk.reach_curve(c - 2 if c % 3 == 2 else c + 1)",
-        "walk.reach_curve(c - 1 if c % 3 else c + 2)",
+        "walk.reach_curve(gate - 2 if gate % 3 == 2 else gate + 1)",
+        "walk.reach_curve(gate - 1 if gate % 3 else gate + 2)",
         "The first curve is listed from the other end of the gate.",
     ),
     Mutant(
@@ -215,14 +214,14 @@ MUTANTS: Final = (
         Clause.EB_HANDLE_4,
         WALK,
         """\
-                self.close(right_gate, 0)
-            if left_closed:
-                self.close(left_gate, 1)
+                self.close(right_gate, 2 * closers)
+            if left_seen == SPLIT:
+                self.close(left_gate, 2 * closers + 1)
 """,
         """\
-                self.close(right_gate, 1)
-            if left_closed:
-                self.close(left_gate, 0)
+                self.close(right_gate, 2 * closers + 1)
+            if left_seen == SPLIT:
+                self.close(left_gate, 2 * closers)
 """,
         "The sides of records are swapped.",
     ),
@@ -239,8 +238,8 @@ MUTANTS: Final = (
         "left-of-end-not-closed",
         Clause.EB_HANDLE_4,
         WALK,
-        "            if left_closed:\n",
-        "            if left_closed and not right_closed:\n",
+        "            if left_seen == SPLIT:\n",
+        "            if left_seen == SPLIT and right_seen == UNVISITED:\n",
         "An E closes with its right edge only.",
     ),
     Mutant(
