@@ -47,8 +47,7 @@ def test_all_short_streams_accepted_are_those_of_small_surfaces() -> None:
         for faces in connected_surfaces(6)
         for rooted in rooted_surfaces(faces)
     }
-    streams = [all_streams(n) for n in range(1, 6)]
-    streams.append(stream for stream in all_streams(6) if stream.word[-1] == "E")
+    streams = [*(all_streams(n) for n in range(1, 6)), all_streams(6, "E")]
     accepted = {stream for some in streams for stream in some if _connected(stream)}
     assert len(encoded) > 100
     assert accepted == {stream for stream in encoded if len(stream.word) <= 6}

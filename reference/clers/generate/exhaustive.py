@@ -118,12 +118,13 @@ def rooted_surfaces(faces: Faces) -> Iterator[Surface]:
                 yield built
 
 
-def all_streams(symbols: int) -> Iterator[Stream]:
+def all_streams(symbols: int, last: str = SYMBOLS) -> Iterator[Stream]:
     """Every word of so many symbols, with every choice of records, closed and with boundary.
 
-    Only records whose numbers are in range; at most one for each S. Exponential.
+    Only records whose numbers are in range; at most one for each S. `last`: the letters that a word
+    may end in. Exponential.
     """
-    for letters in product(SYMBOLS, repeat=symbols):
+    for letters in product(*[SYMBOLS] * (symbols - 1), last):
         word = "".join(letters)
         closers = sum(x in "RLE" for x in word)
         options = [
