@@ -71,14 +71,23 @@ def encode(code: CodeName, stream: Stream) -> Accepted[Bits] | Rejected:
     Clauses: CODE-NAME-1, CODE-NAME-2; what is refused CODE-NAME-5, CODE-NAME-6.
     """
 
-    def write(part: str, seen: tuple[Closing, ...]) -> Accepted[Bits] | Rejected:
-        shape = Shape(implied(stream.components_with_boundary), seen)
-        return CODES[code].encode(part, shape)
+    return and_then(
+        coded_part(stream),
+        lambda part: and_then(closings(stream), lambda seen: _encode(code, stream, part, seen)),
+    )
 
-    part = coded_part(stream)
-    if isinstance(part, Rejected):
-        return part
-    return and_then(closings(stream), lambda seen: write(part.value, seen))
+
+def encode_seen(
+    code: CodeName, stream: Stream, seen: tuple[Closing, ...]
+) -> Accepted[Bits] | Rejected:
+    """The same, where the handle data is known as it is seen from the end. CODE-NAME-1."""
+    return and_then(coded_part(stream), lambda part: _encode(code, stream, part, seen))
+
+
+def _encode(
+    code: CodeName, stream: Stream, part: str, seen: tuple[Closing, ...]
+) -> Accepted[Bits] | Rejected:
+    return CODES[code].encode(part, Shape(implied(stream.components_with_boundary), seen))
 
 
 def decode(

@@ -74,9 +74,13 @@ def coding_of(stored: Stored) -> PositionCoding:
 def compose(contents: Contents) -> Accepted[bytes] | Rejected:
     """The file with these contents. Clauses: FILE-MAGIC-1 … FILE-SECTION-5, FILE-COUNT-3."""
     stream = contents.stream
-    word = registry.encode(contents.code, stream)
-    seen = and_then(closings(stream), lambda c: handle_data.encode(c, len(stream.word)))
-    return and_then(word, lambda bits: and_then(seen, lambda h: _compose(contents, bits, h)))
+
+    def write(seen: tuple[Closing, ...]) -> Accepted[bytes] | Rejected:
+        word = registry.encode_seen(contents.code, stream, seen)
+        handles = handle_data.encode(seen, len(stream.word))
+        return and_then(word, lambda bits: and_then(handles, lambda h: _compose(contents, bits, h)))
+
+    return and_then(closings(stream), write)
 
 
 def _compose(contents: Contents, word: Bits, handles: Bits) -> Accepted[bytes] | Rejected:
