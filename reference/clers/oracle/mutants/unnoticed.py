@@ -65,6 +65,11 @@ READ: Final[Mapping[tuple[str, str], Why]] = {
         "- return (_edge(one, other, new_end=False),) + return (_edge(other, one, new_end=False),)",
     ): Why(Kind.EQUIVALENT, "the ends of an edge without a new vertex are put in order"),
     (
+        "clers.arithmetic.coder",
+        "- if tables is None or bits.length < SHORTEST: "
+        "+ if tables is None or bits.length <= SHORTEST:",
+    ): Why(Kind.EQUIVALENT, "both ways read the same; this says only which is taken, by length"),
+    (
         "clers.edgebreaker.examples",
         "- (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (2, 5, 3), (2, 3, 0), "
         "+ (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), ((2, 3, 0)), ((2, 5, 3)),",
@@ -110,5 +115,35 @@ READ: Final[Mapping[tuple[str, str], Why]] = {
         "clers.kernels.tree",
         "- zeros_at = vec[i64]([0]) + zeros_at = vec[i64]([(-1)])",
     ): Why(Kind.EQUIVALENT, "zeros are not counted at the root, where the first is a fault"),
+    (
+        "clers.codes.context_definition",
+        "- step = floor((65535 * symbol - p) * floor(65536 / (k + 1.5)) / 65536) "
+        "+ step = floor((65535 * symbol - p) * floor(65535 / (k + 1.5)) / 65536)",
+    ): Why(
+        Kind.EQUIVALENT,
+        "131072 and 131070 have the same quotient by 2k + 3, as 131071 is a prime and 131072 a "
+        "power of two",
+    ),
+    (
+        "clers.codes.handle_data",
+        "- longest = 4 + 2 * (sizes(symbols) // CHUNK + 1) "
+        "+ longest = 4 + 2 * (sizes(symbols) * CHUNK + 1)",
+    ): Why(Kind.EQUIVALENT, "the model ends by itself: no bound above is ever reached"),
+    (
+        "clers.kernels.table",
+        "- v: i64 = 0 + v: i64 = (-1)",
+    ): Why(Kind.EQUIVALENT, "-1 names the last entry, which counts nothing, and is 0 before, too"),
+    (
+        "clers.kernels.tree",
+        "- while self.height > 1 and end != LEAF: + while self.height > 0 and end != LEAF:",
+    ): Why(
+        Kind.EQUIVALENT,
+        "-1 names the last place; to take a side off there is one above it whose end is no leaf, "
+        "so that none but such a side was last there",
+    ),
+    (
+        "clers.kernels.walk",
+        "- self.visited = flags(corners // 3) + self.visited = flags(corners // 2)",
+    ): Why(Kind.EQUIVALENT, "there are places for more faces than there are; none looks at them"),
 }
 """By module and change, with single spaces. Clause: ORCL-MUTANT-9."""
