@@ -31,7 +31,7 @@ from clers.oracle.runs.pieces import Adapter, meet
 from clers.oracle.runs.run import Plan, run
 from clers.oracle.suite.files import DEFAULT, Suite, read_suite
 
-A_FILE = 6
+A_FILE = 10
 """So many cases of each file of the suite."""
 
 
