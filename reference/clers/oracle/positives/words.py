@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from itertools import cycle, islice
 from typing import Final
 
+from clers.arithmetic.bits import Bits
 from clers.codes.closings import Closing, closings
 from clers.codes.registry import PARTIAL, CodeName
 from clers.codes.registry import encode as encode_word
@@ -16,7 +17,7 @@ from clers.conformance.served.forms import bits_form
 from clers.conventions.clause import Clause
 from clers.conventions.result import Accepted
 from clers.edgebreaker.encode import encode
-from clers.edgebreaker.stream import Kind, Side
+from clers.edgebreaker.stream import Kind, Record, Side, Stream
 from clers.oracle.positives.asked import Asked, needed
 from clers.oracle.positives.exhaustive import slug_of, sphere, sphere_words
 from clers.oracle.positives.features import features
@@ -57,6 +58,21 @@ def coded(code: CodeName, slug: str, surface: Surface, origin: Origin) -> Iterat
         if code in PARTIAL:
             return
         raise AssertionError(f"{code} refuses {slug}")
+    flags = tuple(flag for flag in features(surface) if flag in _OF_WORDS)
+    requires = (*needed(surface), f"code.{code}")
+    yield from _there_and_back(code, slug, stream, bits.value, seen.value, origin, requires, flags)
+
+
+def _there_and_back(
+    code: CodeName,
+    slug: str,
+    stream: Stream,
+    bits: Bits,
+    seen: tuple[Closing, ...],
+    origin: Origin,
+    requires: tuple[str, ...],
+    flags: tuple[str, ...] = (),
+) -> Iterator[Asked]:
     closed = stream.components_with_boundary == 0
     clauses = (
         Clause.CODE_NAME_2,
@@ -64,8 +80,6 @@ def coded(code: CodeName, slug: str, surface: Surface, origin: Origin) -> Iterat
         *([Clause.CODE_IMPLIED_1] if closed else []),
         *([Clause.CODE_HAND_1] if stream.records else []),
     )
-    requires = (*needed(surface), f"code.{code}")
-    flags = tuple(flag for flag in features(surface) if flag in _OF_WORDS)
     whole = stream_form(stream)
     there = form.ToWord(
         code=code,
@@ -75,10 +89,10 @@ def coded(code: CodeName, slug: str, surface: Surface, origin: Origin) -> Iterat
     )
     back = form.FromWord(
         code=code,
-        bits=bits_form(bits.value),
+        bits=bits_form(bits),
         symbols=len(stream.word),
         components_with_boundary=stream.components_with_boundary,
-        closings=tuple(map(closing_form, seen.value)),
+        closings=tuple(map(closing_form, seen)),
     )
     name, size = f"{code}-{slug}", len(stream.word)
     yield Asked(
@@ -89,6 +103,24 @@ def coded(code: CodeName, slug: str, surface: Surface, origin: Origin) -> Iterat
         name, "code.decode", message.CodeDecode(id=0, input=back), clauses, origin, requires,
         size, flags,
     )  # fmt: skip
+
+
+OF_NO_SURFACE: Final = (
+    ("joined-below", Stream("SLSEE", (Record(Kind.HANDLE, 1, 2, Side.RIGHT),), 1)),
+)
+"""Streams that chapter 5 refuses and codes do not: a closing edge in the loop of a gate below."""
+
+
+def of_no_surface() -> Iterator[Asked]:
+    """Words that no surface has, in `context`, which undoes them all the same. CODE-CONTEXT-2."""
+    for slug, stream in OF_NO_SURFACE:
+        bits, seen = encode_word(CodeName.CONTEXT, stream), closings(stream)
+        if not isinstance(bits, Accepted) or not isinstance(seen, Accepted):
+            raise AssertionError(slug)
+        requires = ("boundaries.one", "handles", f"code.{CodeName.CONTEXT}")
+        yield from _there_and_back(
+            CodeName.CONTEXT, slug, stream, bits.value, seen.value, "hand", requires
+        )
 
 
 _OF_WORDS: Final = (
@@ -133,3 +165,4 @@ def words() -> Iterator[Asked]:
     yield from by_turns(by_rule(), every)
     yield from by_turns(by_scripts(), 3)
     yield from by_turns(at_random(), every)
+    yield from of_no_surface()
