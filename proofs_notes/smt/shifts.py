@@ -36,8 +36,8 @@ def at_once(low: BitVecRef, high: BitVecRef, v: BitVecRef) -> tuple[BitVecRef, .
     central = If(left < 0, BitVecVal(0, WIDE), left)
     count = shared + central
     mask = LShR(BitVecVal(TOP, WIDE), count + 1)
-    above = (high & mask) << count | HALF | LShR(TOP, 32 - count)
-    return shared, central, (low & mask) << count, above, (v - low) << count
+    below = (low & mask) << count
+    return shared, central, below, below + (high - low + 1 << count) - 1, (v - low) << count
 
 
 def same(one: tuple[BitVecRef, ...], other: tuple[BitVecRef, ...]) -> BoolRef:

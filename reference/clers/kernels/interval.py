@@ -17,7 +17,6 @@ from librt.strings import BytesWriter, read_i64_be
 from mypy_extensions import i64, u8
 
 QUARTER: Final = 0x4000_0000
-HALF: Final = 0x8000_0000
 TOP: Final = 0xFFFF_FFFF
 """32 ones; n ones are these shifted down by 32 - n. Lesser literals are shifted in 32 bits."""
 
@@ -77,8 +76,9 @@ class Encoder:
             self.pending += central
             shared += central
         if shared > 0:
+            width: i64 = high - low + 1 << shared
             low = (low & TOP >> shared + 1) << shared
-            high = (high & TOP >> shared + 1) << shared | HALF | TOP >> 32 - shared
+            high = low + width - 1
         self.low = low
         self.high = high
 
@@ -176,8 +176,9 @@ class Decoder:
         if shared > count:
             count = shared
         if count > 0:
+            width: i64 = high - low + 1 << count
             low = (low & TOP >> count + 1) << count
-            high = (high & TOP >> count + 1) << count | HALF | TOP >> 32 - count
+            high = low + width - 1
             at: i64 = self.at
             offset: i64 = self.offset << count
             if at < self.end:

@@ -22,7 +22,7 @@ MUTANTS: Final = (
         if shared > 0:
 """,
         """\
-        unlike: int = low ^ (high - 1 if high == HALF else high)
+        unlike: int = low ^ (high - 1 if high == 2 * QUARTER else high)
         shared: i64 = 32 - unlike.bit_length()
         if shared > 0:
 """,
@@ -41,7 +41,7 @@ MUTANTS: Final = (
         Clause.ARITH_SHIFT_1,
         INTERVAL,
         "31 - shared - other.bit_length()",
-        "31 - shared - other.bit_length() + (QUARTER <= low < HALF and high == 3 * QUARTER)",
+        "31 - shared - other.bit_length() + (QUARTER <= low < 2 * QUARTER and high == 3 * QUARTER)",
         "An interval that ends in the first number of the last quarter is shifted as central.",
     ),
     Mutant(
