@@ -7,8 +7,8 @@ first bits unlike, so that none of a half comes after it. Clauses: ARITH-SHIFT-1
 
 Why nothing wraps: `low` and `high` lie from 0 to 2^32 - 1 after every step (ARITH-STATE-1), totals
 are at most 2^30 (INFO-MODEL-2), so that the products are at most 2^62; bits are masked before they
-are shifted out of 32. Fewer than 8 bits are held, and 32 are added at most. `pending` and the
-counts of bits grow by at most 32 a symbol.
+are shifted out of 32. Fewer than 31 bits are held before a symbol, and 32 are added at most.
+`pending` and the counts of bits grow by at most 32 a symbol.
 """
 
 from typing import Final
@@ -31,7 +31,7 @@ class Encoder:
     """Narrows an interval, and writes the bits that are settled; private and mutable.
 
     Bits are packed, the first the highest. `out`: whole bytes; `held`: the `holding` bits, fewer
-    than 8, that are none yet; `length`: of all bits, once they are finished.
+    than 31, that are not among them yet; `length`: of all bits, once they are finished.
     Clauses: ARITH-ENCODE-1, ARITH-SHIFT-2.
     """
 
